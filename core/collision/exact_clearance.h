@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "environment/environment_model.h"
+#include "frame/clearance.h"
+#include "frame/oriented_box.h"
+
+namespace boomwatch {
+
+/// The shortest distance from a box to the surface point of any occupied cell: the same answer as
+/// looking at every cell, found by best-first branch and bound over a min/max pyramid of the depth
+/// levels (method.md section 7, Beyond).
+///
+/// rebuild() after every update of the model, then query() as often as wanted; query() is const and
+/// may run on several threads at once.
+class ExactClearance {
+ public:
+  ExactClearance();
+  ~ExactClearance();
+  ExactClearance(ExactClearance&&) noexcept;
+  ExactClearance& operator=(ExactClearance&&) noexcept;
+
+  void rebuild(const EnvironmentModel& model);
+
+  /// Measured, or NothingInRange when the nearest cell is farther than `range` metres. Never
+  /// Unknown: that is for the caller to say (see Validity).
+  Clearance query(const OrientedBox& box, double range) const;
+
+ private:
+  struct Pyramid;
+  std::unique_ptr<Pyramid> m_pyramid;
+};
+
+}  // namespace boomwatch

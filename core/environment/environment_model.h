@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "environment/grid.h"
+#include "frame/cloud.h"
+#include "pipeline/parameters.h"
+
+namespace boomwatch {
+
+/// What is known of a cell. Three different facts: nothing, nothing there, something there.
+enum class CellState { NeverObserved, ObservedFree, Occupied };
+
+/// The 2.5-D probabilistic model of the static surroundings (method.md section 6, Eq. 6, 8-11).
+///
+/// Row-major arrays of `geometry().columns() x rows()`: a float probability and an 8-bit depth
+/// level a cell, 5 bytes. A probability of exactly 0 means the cell was never observed; an observed
+/// one never falls below `observedFloor`. A level above 0 means occupied. Not thread-safe; copies
+/// are independent.
+class EnvironmentModel {
+ public:
+  /// Keeps an observed cell apart from a never observed one, and denormals out of Eq. 8.
+  static constexpr float observedFloor = 1e-6F;
+
+  EnvironmentModel() : EnvironmentModel(GridGeometry{}) {}
+  explicit EnvironmentModel(const GridGeometry& geometry);
+
+  /// One frame: crops to the bounds, projects (nearest point of a cell wins), then Eq. 8 and 9.
+  /// NaN points are ignored. A point beyond zMax but inside the bounds in x and y shows that its
+  /// cell was looked through: observed, and free in this frame.
+  void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters);
+
+  const GridGeometry& geometry() const { return m_geometry; }
+  std::span<const float> probabilities() const { return m_probabilities; }
+  std::span<const std::uint8_t> levels() const { return m_levels; }
+  std::size_t frames() const { return m_frames; }  ///< updates since it was made
+
+  CellState state(int column, int row) const {
+    const std::size_t k = m_geometry.index(column, row);
+    if (m_levels[k] > 0) return CellState::Occupied;
+    return m_probabilities[k] > 0.0F ? CellState::ObservedFree : CellState::NeverObserved;
+  }
+
+  /// For tests and for maps that come from elsewhere: sets one cell outright.
+  void set(int column, int row, float probability, std::uint8_t level);
+
+ private:
+  GridGeometry m_geometry;
+  std::vector<float> m_probabilities;
+  std::vector<std::uint8_t> m_levels;
+  std::vector<std::uint8_t> m_measured;  ///< this frame's levels; scratch, not part of the state
+  std::size_t m_frames = 0;
+};
+
+/// Frames in a row that a thing must be seen to enter the model (Eq. 22-23); absent when probtresh
+/// lets nothing through.
+std::optional<int> framesToEnter(const ModelParameters& parameters);
+
+}  // namespace boomwatch

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace boomwatch {
+
+/// Why there is no distance. One list for the whole chain; `None` when there is one.
+enum class Reason {
+  None,
+  NoFrame,          ///< nothing has arrived for longer than max_frame_age
+  UnreadableFrame,  ///< the source could not read this frame
+  IdenticalFrames,  ///< the source repeats one picture: a pulled cable, a frozen camera
+  FewDepthPixels,   ///< less than min_fill of the cloud was measured
+  SceneMoves,       ///< the picture moves as a whole: the camera is not still
+  NoLoad,           ///< nobody said where the load is
+  LoadOutside,      ///< the load is not inside the bounds
+  NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
+  NothingObserved,  ///< no cell around the load was ever observed
+};
+
+/// Stable name for files and logs, e.g. "few_depth_pixels"; "" for None.
+std::string_view toString(Reason reason);
+
+/// The part of the load that is nearest.
+enum class LoadPart { Inside, Face, Edge, Corner };
+std::string_view toString(LoadPart part);
+
+/// Both ends of the shortest line, and how far apart they are. Camera frame, metres.
+struct Nearest {
+  double distance = 0.0;          ///< 0: the environment is inside the load's volume
+  Eigen::Vector3d onLoad;         ///< witness point on the load
+  Eigen::Vector3d onEnvironment;  ///< witness point on the model: the centre of a cell's surface
+  LoadPart part = LoadPart::Inside;
+  /// Largest error, +-, that the size of a cell and of a depth level alone can cause.
+  double quantisation = 0.0;
+};
+
+/// A search ray of the thesis's method (section 7, Eq. 14-19), for drawing. Camera frame, metres.
+struct SearchRay {
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+};
+
+enum class ClearanceState { Measured, NothingInRange, Unknown };
+std::string_view toString(ClearanceState state);
+
+/// How far the load is from the nearest thing, or why that is not known. Never a number that is
+/// not a distance: `nearest` is set if and only if `state` is Measured.
+struct Clearance {
+  ClearanceState state = ClearanceState::Unknown;
+  Reason reason = Reason::NoFrame;  ///< None unless Unknown
+  std::optional<Nearest> nearest;
+  /// Share of the searched neighbourhood (every cell in which something nearer than the reported
+  /// distance could be; what lies outside the bounds counts as unobserved) that was ever observed.
+  std::optional<double> observedShare;
+  std::vector<SearchRay> rays;  ///< filled by the `rays` method only
+
+  static Clearance unknown(Reason why) { return {ClearanceState::Unknown, why, {}, {}, {}}; }
+};
+
+}  // namespace boomwatch

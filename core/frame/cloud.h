@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace boomwatch {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+/// 3-D points in the camera frame, metres. A point that was not measured is NaN in all three.
+///
+/// Organised: row-major, `width` x `height`, point (column, row) belongs to the pixel (column, row)
+/// of the rectified left image. Unorganised: height is 1.
+struct Cloud {
+  int width = 0;
+  int height = 0;
+  Points points;
+
+  bool organised() const { return height > 1; }
+  std::size_t size() const { return points.size(); }
+  const Eigen::Vector3f& at(int column, int row) const {
+    return points[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(column)];
+  }
+};
+
+inline Eigen::Vector3f unmeasuredPoint() {
+  return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+}
+
+inline bool isMeasured(const Eigen::Vector3f& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+}  // namespace boomwatch

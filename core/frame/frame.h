@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "frame/cloud.h"
+#include "frame/oriented_box.h"
+
+namespace boomwatch {
+
+struct StereoRig;  // stereo/stereo_rig.h
+
+/// What is known about a simulated frame because it was made: the yardstick of tests.
+struct Truth {
+  double distance = 0.0;  ///< metres, load to the nearest surface; 0 when they touch
+};
+
+/// One moment, as a source delivers it. Immutable once it is delivered; shared between threads.
+///
+/// A stereo source gives `left`, `right` and `rig`, and the pipeline makes the cloud. Every other
+/// source gives `cloud`, and `left` where it has a picture of the same size.
+struct Frame {
+  std::uint64_t sequence = 0;            ///< index in the source, from 0
+  double stamp = 0.0;                    ///< seconds on the source's own clock
+  cv::Mat left;                          ///< CV_8UC1 or CV_8UC3 (BGR); empty if there is no picture
+  cv::Mat right;                         ///< as left; empty unless stereo
+  std::shared_ptr<const StereoRig> rig;  ///< set with `right`
+  std::shared_ptr<const Cloud> cloud;    ///< set unless stereo
+  std::optional<OrientedBox> load;       ///< where the source itself knows the load (demo scenes)
+  std::optional<Truth> truth;
+};
+
+using FramePtr = std::shared_ptr<const Frame>;
+
+}  // namespace boomwatch

@@ -1,0 +1,415 @@
+#include "pipeline/parameter_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "frame/error.h"
+
+namespace boomwatch {
+namespace {
+
+using Names = std::span<const std::string_view>;
+constexpr std::array<std::string_view, 2> matcherNames{"sgbm", "bm"};
+constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "radius"};
+constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
+constexpr std::array<std::string_view, 2> loadNames{"scene", "manual"};
+
+struct Range {
+  double minimum = 0.0;
+  double maximum = 1.0;
+  double step = 1.0;
+};
+
+struct Text {
+  const char* group;
+  const char* label;
+  const char* tooltip;
+  const char* unit = "";
+};
+
+template <auto Group, auto Field>
+constexpr auto& access(auto& parameters) {
+  return (parameters.*Group).*Field;
+}
+
+template <auto Group, auto Field>
+constexpr ParameterInfo row(std::string_view key, Text text, Range range = {}, Names names = {}) {
+  using T = std::remove_cvref_t<decltype(access<Group, Field>(std::declval<Parameters&>()))>;
+  auto get = [](const Parameters& p) -> ParameterValue {
+    const T& value = access<Group, Field>(p);
+    if constexpr (std::is_enum_v<T>) {
+      return Choice{static_cast<int>(value)};
+    } else {
+      return value;
+    }
+  };
+  auto set = [](Parameters& p, const ParameterValue& value) {
+    if constexpr (std::is_enum_v<T>) {
+      access<Group, Field>(p) = static_cast<T>(std::get<Choice>(value).index);
+    } else {
+      access<Group, Field>(p) = std::get<T>(value);
+    }
+  };
+  return {key,           text.group, text.label, text.tooltip, text.unit, range.minimum,
+          range.maximum, range.step, names,      get,          set};
+}
+
+#define TR(text) QT_TRANSLATE_NOOP("Parameters", text)
+using P = Parameters;
+using B = Bounds;
+using F = FilterParameters;
+using M = ModelParameters;
+using C = ClearanceParameters;
+using W = WarningParameters;
+using S = StereoParameters;
+using L = LoadParameters;
+using V = ValidityParameters;
+constexpr Range coordinate{-1000, 1000, 0.1};
+constexpr Range angle{-180, 180, 1};
+constexpr Range loadSize{0.01, 100, 0.05};
+
+constexpr auto table = std::to_array<ParameterInfo>({
+    row<&P::bounds, &B::xMin>(
+        "x_min", {TR("Bounds"), TR("x from"), TR("Left limit of the watched space"), "m"},
+        coordinate),
+    row<&P::bounds, &B::xMax>(
+        "x_max", {TR("Bounds"), TR("x to"), TR("Right limit of the watched space"), "m"},
+        coordinate),
+    row<&P::bounds, &B::yMin>(
+        "y_min",
+        {TR("Bounds"), TR("y from"), TR("Upper limit of the watched space (y points down)"), "m"},
+        coordinate),
+    row<&P::bounds, &B::yMax>(
+        "y_max",
+        {TR("Bounds"), TR("y to"), TR("Lower limit of the watched space (y points down)"), "m"},
+        coordinate),
+    row<&P::bounds, &B::zMin>(
+        "z_min", {TR("Bounds"), TR("z from"), TR("Nearest distance that is watched"), "m"},
+        coordinate),
+    row<&P::bounds, &B::zMax>(
+        "z_max", {TR("Bounds"), TR("z to"), TR("Farthest distance that is watched"), "m"},
+        coordinate),
+    row<&P::model, &M::resolution>(
+        "resolution",
+        {TR("Model"), TR("Resolution"), TR("Side of a cell of the environment model (R)"), "m"},
+        {0.001, 1, 0.01}),
+    row<&P::model, &M::probtresh>("probtresh",
+                                  {TR("Model"), TR("probtresh"),
+                                   TR("A cell must be more probable than this to count (P_limit)")},
+                                  {0, 1, 0.05}),
+    row<&P::model, &M::pPrior>(
+        "p_prior", {TR("Model"), TR("p prior"), TR("Probability that a hit adds (Eq. 8)")},
+        {0.001, 1, 0.05}),
+    row<&P::model, &M::pPost>(
+        "p_post",
+        {TR("Model"), TR("p post"), TR("Share of the probability left after each frame (Eq. 8)")},
+        {0, 0.999, 0.05}),
+    row<&P::model, &M::memoryLimit>(
+        "memory_limit",
+        {TR("Model"), TR("Memory limit"), TR("Memory that the model may take"), "MB"},
+        {1, 65536, 64}),
+    row<&P::clearance, &C::method>("clearance_method",
+                                   {TR("Clearance"), TR("Method"),
+                                    TR("exact: every cell; rays: the thesis's search rays, which "
+                                       "miss what lies between them")},
+                                   {}, methodNames),
+    row<&P::clearance, &C::interval>(
+        "interval",
+        {TR("Clearance"), TR("Interval"), TR("rays: cells between two search rays (I)"), "cells"},
+        {1, 1000, 1}),
+    row<&P::clearance, &C::radius>(
+        "radius", {TR("Clearance"), TR("Radius"), TR("rays: length of a search ray (L)"), "cells"},
+        {1, 10000, 10}),
+    row<&P::clearance, &C::range>(
+        "range",
+        {TR("Clearance"), TR("Range"), TR("exact: beyond this there is nothing in range"), "m"},
+        {0.1, 1000, 1}),
+    row<&P::warning, &W::cautionDistance>(
+        "caution_distance", {TR("Warning"), TR("Caution below"), TR("The bar begins here"), "m"},
+        {0.01, 100, 0.1}),
+    row<&P::warning, &W::warningDistance>(
+        "warning_distance",
+        {TR("Warning"), TR("Warning below"), TR("The warning begins here"), "m"}, {0.01, 100, 0.1}),
+    row<&P::load, &L::source>(
+        "load_source",
+        {TR("Load"), TR("Load given by"),
+         TR("scene: only what the source itself knows; manual: the values below")},
+        {}, loadNames),
+    row<&P::load, &L::x>(
+        "load_x",
+        {TR("Load"), TR("Centre x"), TR("Centre of the load, to the right of the camera"), "m"},
+        coordinate),
+    row<&P::load, &L::y>(
+        "load_y", {TR("Load"), TR("Centre y"), TR("Centre of the load, below the camera"), "m"},
+        coordinate),
+    row<&P::load, &L::z>(
+        "load_z",
+        {TR("Load"), TR("Centre z"), TR("Centre of the load, in front of the camera"), "m"},
+        coordinate),
+    row<&P::load, &L::sizeX>(
+        "load_size_x", {TR("Load"), TR("Size x"), TR("Full size along the load's own x"), "m"},
+        loadSize),
+    row<&P::load, &L::sizeY>(
+        "load_size_y", {TR("Load"), TR("Size y"), TR("Full size along the load's own y"), "m"},
+        loadSize),
+    row<&P::load, &L::sizeZ>(
+        "load_size_z", {TR("Load"), TR("Size z"), TR("Full size along the load's own z"), "m"},
+        loadSize),
+    row<&P::load, &L::yaw>("load_yaw", {TR("Load"), TR("Yaw"), TR("Turn about y, first"), "°"},
+                           angle),
+    row<&P::load, &L::pitch>("load_pitch",
+                             {TR("Load"), TR("Pitch"), TR("Turn about x, second"), "°"}, angle),
+    row<&P::load, &L::roll>("load_roll", {TR("Load"), TR("Roll"), TR("Turn about z, third"), "°"},
+                            angle),
+    row<&P::filter, &F::zReprojection>(
+        "z_reprojection",
+        {TR("Filter"), TR("z reprojection"), TR("Move every kept point to this z"), "m"},
+        coordinate),
+    row<&P::filter, &F::lowPass>("low_pass",
+                                 {TR("Filter"), TR("Low pass"), TR("Remove outliers; slow")}),
+    row<&P::filter, &F::lowPassMethod>(
+        "low_pass_method",
+        {TR("Filter"), TR("Low pass method"),
+         TR("statistical: by mean distance to the neighbours; radius: by number of neighbours")},
+        {}, lowPassNames),
+    row<&P::filter, &F::lowPassNeighbours>(
+        "low_pass_neighbours",
+        {TR("Filter"), TR("Neighbours"), TR("statistical: neighbours looked at")}, {1, 200, 1}),
+    row<&P::filter, &F::lowPassDeviations>(
+        "low_pass_deviations",
+        {TR("Filter"), TR("Deviations"), TR("statistical: standard deviations allowed")},
+        {0.01, 10, 0.1}),
+    row<&P::filter, &F::lowPassRadius>(
+        "low_pass_radius",
+        {TR("Filter"), TR("Neighbour radius"), TR("radius: how far a neighbour may be"), "m"},
+        {0.001, 10, 0.01}),
+    row<&P::filter, &F::lowPassMinimum>(
+        "low_pass_minimum",
+        {TR("Filter"), TR("Neighbours needed"), TR("radius: neighbours a point must have")},
+        {1, 1000, 1}),
+    row<&P::filter, &F::clusterTolerance>(
+        "cluster_tolerance",
+        {TR("Filter"), TR("Cluster tolerance"), TR("Points nearer than this belong together"), "m"},
+        {0.001, 10, 0.01}),
+    row<&P::filter, &F::clusterMinimum>(
+        "cluster_minimum",
+        {TR("Filter"), TR("Cluster minimum"), TR("Smaller clusters are noise and go"), "points"},
+        {1, 100000, 5}),
+    row<&P::stereo, &S::matcher>(
+        "stereo_matcher",
+        {TR("Stereo"), TR("Matcher"),
+         TR("sgbm: semi-global, 3-way; bm: block matching, faster and sparser")},
+        {}, matcherNames),
+    row<&P::stereo, &S::minDisparity>(
+        "stereo_min_disparity",
+        {TR("Stereo"), TR("Smallest disparity"), TR("Disparity at which the search begins"), "px"},
+        {-512, 512, 1}),
+    row<&P::stereo, &S::disparities>(
+        "stereo_disparities",
+        {TR("Stereo"), TR("Disparities"),
+         TR("Disparities searched, a multiple of 16; more sees nearer"), "px"},
+        {16, 1024, 16}),
+    row<&P::stereo, &S::blockSize>(
+        "stereo_block_size",
+        {TR("Stereo"), TR("Block size"), TR("Side of the matched block, odd; bm needs at least 5"),
+         "px"},
+        {1, 51, 2}),
+    row<&P::stereo, &S::uniqueness>("stereo_uniqueness",
+                                    {TR("Stereo"), TR("Uniqueness"),
+                                     TR("By how much the best match must beat the second"), "%"},
+                                    {0, 100, 1}),
+    row<&P::stereo, &S::consistency>(
+        "stereo_consistency",
+        {TR("Stereo"), TR("Consistency"),
+         TR("Difference allowed between left and right; -1 is off"), "px"},
+        {-1, 100, 1}),
+    row<&P::stereo, &S::speckleWindow>("stereo_speckle_window",
+                                       {TR("Stereo"), TR("Speckle window"),
+                                        TR("Smaller connected pieces are removed; 0 is off"), "px"},
+                                       {0, 10000, 10}),
+    row<&P::stereo, &S::speckleRange>(
+        "stereo_speckle_range",
+        {TR("Stereo"), TR("Speckle range"), TR("Disparity step inside a piece"), "px"},
+        {0, 100, 1}),
+    row<&P::stereo, &S::preFilterCap>(
+        "stereo_prefilter_cap",
+        {TR("Stereo"), TR("Prefilter cap"), TR("Truncation of the gradient before matching")},
+        {1, 63, 1}),
+    row<&P::stereo, &S::textureThreshold>(
+        "stereo_texture",
+        {TR("Stereo"), TR("Texture threshold"), TR("bm: areas with less texture are not matched")},
+        {0, 10000, 1}),
+    row<&P::validity, &V::maxFrameAge>(
+        "max_frame_age",
+        {TR("Validity"), TR("Frame age"), TR("Longer without a frame, and there is no distance"),
+         "s"},
+        {0.05, 60, 0.1}),
+    row<&P::validity, &V::identicalFrames>(
+        "identical_frames",
+        {TR("Validity"), TR("Identical frames"),
+         TR("This many equal frames in a row mean a frozen source"), "frames"},
+        {2, 1000, 1}),
+    row<&P::validity, &V::minFill>(
+        "min_fill",
+        {TR("Validity"), TR("Smallest fill"), TR("Share of pixels that must have a depth")},
+        {0, 1, 0.01}),
+    row<&P::validity, &V::sceneMotion>(
+        "scene_motion",
+        {TR("Validity"), TR("Scene motion"),
+         TR("If a larger share of the picture moves, the camera moves; 1 is off")},
+        {0.05, 1, 0.05}),
+});
+#undef TR
+
+// Every field of Parameters has a row: as many rows as leaves, and no key twice.
+struct AnyLeaf {
+  template <class T>
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) constexpr operator T() const {
+    return T{};
+  }  // NOLINT: implicit on purpose
+};
+template <class T, class... Leaves>
+consteval std::size_t leafCount() {
+  if constexpr (requires { T{Leaves{}..., AnyLeaf{}}; }) {
+    return leafCount<T, Leaves..., AnyLeaf>();
+  } else {
+    return sizeof...(Leaves);
+  }
+}
+consteval bool keysUnique() {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (table[i].key == table[j].key) return false;
+    }
+  }
+  return true;
+}
+constexpr bool inRange(const ParameterInfo& info, const ParameterValue& value) {
+  auto within = [&](double v) { return v >= info.minimum && v <= info.maximum; };
+  if (const auto* d = std::get_if<double>(&value)) return within(*d);
+  if (const auto* i = std::get_if<int>(&value)) return within(*i);
+  if (const auto* o = std::get_if<std::optional<double>>(&value)) return !*o || within(**o);
+  if (const auto* c = std::get_if<Choice>(&value)) {
+    return c->index >= 0 && c->index < static_cast<int>(info.choices.size());
+  }
+  return true;
+}
+consteval bool defaultsInRange() {
+  const Parameters defaults;
+  return std::all_of(table.begin(), table.end(),
+                     [&](const auto& info) { return inRange(info, info.get(defaults)); });
+}
+static_assert(leafCount<Parameters>() == table.size(), "a field of Parameters has no row");
+static_assert(keysUnique(), "two rows have the same key");
+static_assert(defaultsInRange(), "a default lies outside its range");
+
+std::string formatNumber(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value{};
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(value)) return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<ParameterValue> parse(const ParameterInfo& info, std::string_view text) {
+  const ParameterValue kind = info.get(Parameters{});
+  if (std::holds_alternative<bool>(kind)) {
+    if (text == "true" || text == "on" || text == "1") return true;
+    if (text == "false" || text == "off" || text == "0") return false;
+    return std::nullopt;
+  }
+  if (std::holds_alternative<Choice>(kind)) {
+    const auto found = std::find(info.choices.begin(), info.choices.end(), text);
+    if (found == info.choices.end()) return std::nullopt;
+    return Choice{static_cast<int>(found - info.choices.begin())};
+  }
+  if (std::holds_alternative<int>(kind)) {
+    const auto value = number<int>(text);
+    return value ? std::optional<ParameterValue>(*value) : std::nullopt;
+  }
+  const bool optional = std::holds_alternative<std::optional<double>>(kind);
+  if (optional && text == "off") return std::optional<double>();
+  const auto value = number<double>(text);
+  if (!value) return std::nullopt;
+  return optional ? ParameterValue(std::optional<double>(*value)) : ParameterValue(*value);
+}
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::span<const ParameterInfo> parameterTable() { return table; }
+
+const ParameterInfo& findParameter(std::string_view key) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const ParameterInfo& info) { return info.key == key; });
+  if (found != table.end()) return *found;
+  const auto& nearest = *std::min_element(
+      table.begin(), table.end(), [&](const ParameterInfo& a, const ParameterInfo& b) {
+        return editDistance(a.key, key) < editDistance(b.key, key);
+      });
+  throw Error("parameter '" + std::string(key) + "'", "there is no such parameter",
+              "Did you mean '" + std::string(nearest.key) + "'? --help lists all of them.");
+}
+
+std::string formatValue(const ParameterInfo& info, const ParameterValue& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* i = std::get_if<int>(&value)) return std::to_string(*i);
+  if (const auto* d = std::get_if<double>(&value)) return formatNumber(*d);
+  if (const auto* o = std::get_if<std::optional<double>>(&value)) {
+    return *o ? formatNumber(**o) : "off";
+  }
+  return std::string(info.choices[static_cast<std::size_t>(std::get<Choice>(value).index)]);
+}
+
+std::string rangeText(const ParameterInfo& info) {
+  const ParameterValue kind = info.get(Parameters{});
+  if (std::holds_alternative<bool>(kind)) return "true, false";
+  if (std::holds_alternative<Choice>(kind)) {
+    std::string names;
+    for (const auto name : info.choices) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+  }
+  const std::string off = std::holds_alternative<std::optional<double>>(kind) ? "off or " : "";
+  const std::string unit = *info.unit ? std::string(" ") + info.unit : "";
+  return off + formatNumber(info.minimum) + " to " + formatNumber(info.maximum) + unit;
+}
+
+ParameterValue parseValue(const ParameterInfo& info, std::string_view text) {
+  const auto value = parse(info, text);
+  if (value && inRange(info, *value)) return *value;
+  throw Error("parameter '" + std::string(info.key) + "'",
+              "'" + std::string(text) + "' is not among " + rangeText(info),
+              "Give a value in that range.");
+}
+
+void setParameter(Parameters& parameters, std::string_view key, std::string_view text) {
+  const ParameterInfo& info = findParameter(key);
+  info.set(parameters, parseValue(info, text));
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frame/bounds.h"
+#include "frame/oriented_box.h"
+
+namespace boomwatch {
+
+enum class StereoMatcherKind { Sgbm, Bm };
+enum class LowPassMethod { Statistical, Radius };
+enum class ClearanceMethod { Exact, Rays };
+enum class LoadSource { Scene, Manual };
+
+/// Matching and checking of a rectified pair (method.md section 2). Pixels.
+struct StereoParameters {
+  StereoMatcherKind matcher = StereoMatcherKind::Sgbm;
+  int minDisparity = 0;
+  int disparities = 64;     ///< number of disparities searched; a multiple of 16
+  int blockSize = 5;        ///< odd
+  int uniqueness = 10;      ///< percent by which the best match must beat the second
+  int consistency = 1;      ///< left/right difference allowed; -1 is off
+  int speckleWindow = 100;  ///< smallest connected piece kept, pixels; 0 is off
+  int speckleRange = 2;     ///< disparity step inside a piece
+  int preFilterCap = 31;
+  int textureThreshold = 10;  ///< BM only
+};
+
+/// Filtering and segmentation (method.md section 5). Metres.
+struct FilterParameters {
+  std::optional<double> zReprojection;  ///< move every kept point to this z; absent: off
+  bool lowPass = false;
+  LowPassMethod lowPassMethod = LowPassMethod::Statistical;
+  int lowPassNeighbours = 8;       ///< statistical: neighbours looked at
+  double lowPassDeviations = 1.0;  ///< statistical: standard deviations allowed
+  double lowPassRadius = 0.1;      ///< radius: how far a neighbour may be
+  int lowPassMinimum = 3;          ///< radius: neighbours a point must have
+  double clusterTolerance = 0.1;
+  int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are noise
+};
+
+/// The environment model (method.md section 6, Eq. 6-11).
+struct ModelParameters {
+  double resolution = 0.04;  ///< R, metres a cell
+  double probtresh = 0.5;    ///< P_limit
+  double pPrior = 0.2;       ///< added by a hit
+  double pPost = 0.7;        ///< what is left after a frame
+  int memoryLimit = 1024;    ///< megabytes the model may take
+};
+
+/// The search for the nearest thing (method.md section 7).
+struct ClearanceParameters {
+  ClearanceMethod method = ClearanceMethod::Exact;
+  int interval = 8;     ///< I: cells between search rays
+  int radius = 70;      ///< L: length of a search ray, cells
+  double range = 10.0;  ///< metres beyond which `exact` says "nothing in range"
+};
+
+/// Metres at and below which each level begins.
+struct WarningParameters {
+  double cautionDistance = 2.0;
+  double warningDistance = 1.0;
+};
+
+/// The load as the operator describes it. Metres, degrees (this is what a person types).
+struct LoadParameters {
+  LoadSource source = LoadSource::Scene;  ///< Scene: only what the source itself knows
+  double x = 0.0, y = 0.0, z = 3.0;
+  double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
+  double yaw = 0.0, pitch = 0.0, roll = 0.0;
+
+  OrientedBox box() const {
+    constexpr double degree = std::numbers::pi / 180.0;
+    return {{x, y, z},
+            {sizeX, sizeY, sizeZ},
+            rotationFromYawPitchRoll(yaw * degree, pitch * degree, roll * degree)};
+  }
+};
+
+/// When the chain is not to be trusted.
+struct ValidityParameters {
+  double maxFrameAge = 0.5;  ///< seconds without a frame
+  int identicalFrames = 3;   ///< this many equal frames in a row mean a frozen source
+  double minFill = 0.05;     ///< share of the cloud that must be measured
+  double sceneMotion = 0.6;  ///< share of picture features that move: the camera moves
+};
+
+/// Everything that can be tuned, with its defaults. Swapped whole between two frames.
+struct Parameters {
+  Bounds bounds;
+  FilterParameters filter;
+  ModelParameters model;
+  ClearanceParameters clearance;
+  WarningParameters warning;
+  StereoParameters stereo;
+  LoadParameters load;
+  ValidityParameters validity;
+};
+
+/// Something to say about a set of parameters that is accepted but will not do what it seems to.
+struct ParameterWarning {
+  std::string_view key;
+  std::string message;  ///< English; the window translates it by key
+};
+
+/// Throws Error naming the keys when values contradict each other (min >= max, a model larger than
+/// memory_limit, an even block size, ...). Single ranges are checked where a value is set.
+void validate(const Parameters& parameters);
+
+/// E.g. probtresh at or above the fixed point p_prior / (1 - p_post) of Eq. 8.
+std::vector<ParameterWarning> warningsFor(const Parameters& parameters);
+
+}  // namespace boomwatch

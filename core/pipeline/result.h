@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "environment/environment_model.h"
+#include "environment/static_scene.h"
+#include "frame/clearance.h"
+#include "frame/frame.h"
+#include "pipeline/warning.h"
+
+namespace boomwatch {
+
+/// Milliseconds that one stage took.
+struct StageTiming {
+  std::string_view stage;  ///< "stereo", "filter", "model", "clearance", ...
+  double milliseconds = 0.0;
+};
+
+/// What one frame led to: everything a pane or a log needs. Immutable once published.
+struct Result {
+  FramePtr frame;                      ///< as the source gave it; absent with NoFrame
+  cv::Mat image;                       ///< left, rectified: the picture the cloud belongs to
+  std::shared_ptr<const Cloud> cloud;  ///< organised where the source is; absent with NoFrame
+  double fill = 0.0;                   ///< share of the cloud that was measured
+  std::optional<cv::Point> toolPixel;
+  std::optional<Eigen::Vector3f> toolPoint;
+  std::optional<OrientedBox> load;
+  StaticScene scene;
+  Clearance clearance;
+  WarningLevel level = WarningLevel::NoDistance;
+  /// The depth error, +- metres, that a quarter of a pixel of disparity makes at the nearest point;
+  /// absent unless the frame came from a calibrated stereo pair.
+  std::optional<double> depthUncertainty;
+  bool modelRebuilt = false;  ///< the model was begun anew: its size changed
+  std::vector<StageTiming> timings;
+  std::shared_ptr<const EnvironmentModel> model;  ///< a copy; absent unless asked for
+  Parameters parameters;                          ///< those in force for this frame
+};
+
+using ResultPtr = std::shared_ptr<const Result>;
+
+}  // namespace boomwatch

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+
+#include "frame/cloud.h"
+#include "pipeline/parameters.h"
+#include "stereo/stereo_rig.h"
+
+namespace boomwatch {
+
+/// A rectified left image, its disparities and its organised cloud.
+struct StereoResult {
+  cv::Mat left;       ///< CV_8UC1 or CV_8UC3, rectified
+  cv::Mat disparity;  ///< CV_32FC1, pixels; NaN where nothing matched
+  std::shared_ptr<const Cloud> cloud;
+  double focalLength = 0.0;  ///< pixels, of the rectified pair
+  double baseline = 0.0;     ///< metres
+};
+
+/// Rectify, match, check left against right, drop speckles, reproject (method.md section 2, Eq. 5).
+///
+/// Keeps the rectification maps between frames; they are made anew when the rig changes.
+/// Used by one thread.
+class StereoStage {
+ public:
+  StereoStage();
+  ~StereoStage();
+
+  /// `left` and `right`: CV_8UC1 or CV_8UC3, equal size. Throws Error when the pair does not fit
+  /// the rig or the parameters cannot be used.
+  StereoResult process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
+                       const StereoParameters& parameters);
+
+ private:
+  struct Maps;
+  std::unique_ptr<Maps> m_maps;
+};
+
+/// Disparities of a rectified pair, CV_32FC1, NaN where nothing matched.
+cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
+                       const StereoParameters& parameters);
+
+}  // namespace boomwatch
