@@ -3,6 +3,7 @@
 #include <QFile>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "frame/error.h"
 #include "pipeline/pipeline.h"
@@ -26,17 +27,20 @@ class LineWriter {
     m_file.setFileName(standard ? QStringLiteral("standard output") : path);
     const bool open = standard ? m_file.open(stdout, QIODevice::WriteOnly)
                                : m_file.open(QIODevice::WriteOnly | QIODevice::Truncate);
-    if (!open) fail();
+    if (!open) {
+      throw Error(m_file.fileName().toStdString(), m_file.errorString().toStdString(),
+                  "Name a file that can be written with --output.");
+    }
   }
   void write(const QByteArray& line) {
-    if (m_file.write(line + '\n') < 0 || !m_file.flush()) fail();
+    if (m_file.write(line + '\n') >= 0 && m_file.flush()) return;
+    throw std::runtime_error(m_file.fileName().toStdString() + ": " +
+                             m_file.errorString().toStdString() +
+                             ". Free some space or name another file with --output.");
   }
 
  private:
-  [[noreturn]] void fail() {
-    throw Error(m_file.fileName().toStdString(), m_file.errorString().toStdString(),
-                "Name a file that can be written with --output.");
-  }
+ private:
   QFile m_file;
 };
 

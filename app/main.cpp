@@ -75,6 +75,6 @@ int main(int argc, char** argv) {
   } catch (const boomwatch::Error& fault) {
     return fail(fault.what(), BadArguments);
   } catch (const std::exception& fault) {
-    return fail(std::string("stopped by an unexpected fault: ") + fault.what(), FaultInRun);
+    return fail(fault.what(), FaultInRun);
   }
 }
