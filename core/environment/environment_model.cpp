@@ -44,22 +44,42 @@ EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
       m_nearness(geometry.cellCount()) {}
 
 void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
-                              const ModelParameters& parameters) {
+                              const ModelParameters& parameters,
+                              std::span<const Eigen::Vector3f> masked) {
   // Two bands of rows that share nothing, so that the result does not depend on timing.
+  const Evidence evidence{points, masked};
   const int middle = m_geometry.rows() / 2;
-  auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, points, parameters); });
-  updateRows(middle, m_geometry.rows(), points, parameters);
+  auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, evidence, parameters); });
+  updateRows(middle, m_geometry.rows(), evidence, parameters);
   upper.get();
   ++m_frames;
 }
 
-void EnvironmentModel::updateRows(int begin, int end, std::span<const Eigen::Vector3f> points,
+void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
                                   const ModelParameters& parameters) {
-  projectRows(begin, end, points);
+  projectRows(begin, end, evidence.points);
+  const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence.masked);
   const std::size_t first = m_geometry.index(0, begin);
   const std::size_t count = m_geometry.index(0, end) - first;
   blend(std::span(m_probabilities).subspan(first, count), std::span(m_levels).subspan(first, count),
         std::span(m_nearness).subspan(first, count), parameters);
+  for (const HiddenCell& cell : hidden) {
+    m_probabilities[cell.index] = cell.probability;
+    m_levels[cell.index] = cell.level;
+  }
+}
+
+std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
+    int begin, int end, std::span<const Eigen::Vector3f> masked) const {
+  std::vector<HiddenCell> hidden;
+  for (const Eigen::Vector3f& point : masked) {
+    const double row = m_geometry.rowPosition(point.y());
+    const double column = m_geometry.columnPosition(point.x());
+    if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
+    const std::size_t k = m_geometry.index(static_cast<int>(column), static_cast<int>(row));
+    if (m_nearness[k] == 0) hidden.push_back({k, m_probabilities[k], m_levels[k]});
+  }
+  return hidden;
 }
 
 void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Vector3f> points) {

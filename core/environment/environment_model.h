@@ -31,7 +31,12 @@ class EnvironmentModel {
   /// One frame: crops to the bounds, projects (nearest point of a cell wins), then Eq. 8 and 9.
   /// Points that are not finite or lie before zMin are ignored. A point beyond zMax but inside the
   /// bounds in x and y shows that its cell was looked through: observed, and free in this frame.
-  void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters);
+  ///
+  /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
+  /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
+  /// is, so that an obstacle is not forgotten in the moment in which the load enters it.
+  void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
+              std::span<const Eigen::Vector3f> masked = {});
 
   const GridGeometry& geometry() const { return m_geometry; }
   std::span<const float> probabilities() const { return m_probabilities; }
@@ -48,9 +53,19 @@ class EnvironmentModel {
   void set(int column, int row, float probability, std::uint8_t level);
 
  private:
-  void updateRows(int begin, int end, std::span<const Eigen::Vector3f> points,
-                  const ModelParameters& parameters);
+  struct Evidence {
+    std::span<const Eigen::Vector3f> points;
+    std::span<const Eigen::Vector3f> masked;
+  };
+  struct HiddenCell {
+    std::size_t index;
+    float probability;
+    std::uint8_t level;
+  };
+  void updateRows(int begin, int end, const Evidence& evidence, const ModelParameters& parameters);
   void projectRows(int begin, int end, std::span<const Eigen::Vector3f> points);
+  std::vector<HiddenCell> hiddenCells(int begin, int end,
+                                      std::span<const Eigen::Vector3f> masked) const;
 
   GridGeometry m_geometry;
   std::vector<float> m_probabilities;

@@ -39,10 +39,9 @@ void checkParameters(const StereoParameters& p) {
           fix);
   require(p.preFilterCap >= 1 && p.preFilterCap <= 63, "stereo_prefilter_cap",
           std::to_string(p.preFilterCap) + " is not between 1 and 63", fix);
-  require(
-      p.uniqueness >= 0 && p.textureThreshold >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0,
-      "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range",
-      "one of them is negative", fix);
+  require(p.uniqueness >= 0 && p.texture >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0,
+          "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range",
+          "one of them is negative", fix);
 }
 
 void checkImages(const cv::Mat& left, const cv::Mat& right) {
@@ -66,7 +65,6 @@ cv::Ptr<cv::StereoMatcher> makeMatcher(const StereoParameters& p) {
   if (p.matcher == StereoMatcherKind::Bm) {
     auto bm = cv::StereoBM::create(p.disparities, p.blockSize);
     bm->setPreFilterCap(p.preFilterCap);
-    bm->setTextureThreshold(p.textureThreshold);
     bm->setUniquenessRatio(p.uniqueness);
     // Unlike SGBM, BM takes the range in sixteenths of a pixel.
     bm->setSpeckleRange(p.speckleRange * subpixels);
@@ -80,6 +78,16 @@ cv::Ptr<cv::StereoMatcher> makeMatcher(const StereoParameters& p) {
   return cv::StereoSGBM::create(p.minDisparity, p.disparities, p.blockSize, 8 * area, 32 * area,
                                 p.consistency, p.preFilterCap, p.uniqueness, p.speckleWindow,
                                 p.speckleRange, cv::StereoSGBM::MODE_SGBM_3WAY);
+}
+
+// True where there is too little structure for a match to mean anything. Without it the matchers
+// invent depth where the picture is over-exposed, unlit or blank.
+cv::Mat withoutTexture(const cv::Mat& left, const StereoParameters& p) {
+  cv::Mat gradient, mean;
+  cv::Sobel(left, gradient, CV_16S, 1, 0, 3);  // 8 times the gradient a pixel
+  const int side = 2 * p.blockSize + 1;
+  cv::boxFilter(cv::abs(gradient), mean, CV_32F, {side, side});
+  return mean < 8.0 * p.texture;
 }
 
 // The columns in which the whole search range lies inside the other image.
@@ -98,8 +106,9 @@ cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
   cv::Mat disparity(left.size(), CV_32FC1, cv::Scalar(none));
   if (!leavesRoom(left.size(), parameters)) return disparity;
   cv::Mat fixedPoint;
+  const cv::Mat leftGrey = grey(left);
   try {
-    makeMatcher(parameters)->compute(grey(left), grey(right), fixedPoint);
+    makeMatcher(parameters)->compute(leftGrey, grey(right), fixedPoint);
   } catch (const cv::Exception& fault) {
     throw Error("stereo matcher", "OpenCV refuses the pair or the settings (" + fault.err + ")",
                 "Change the stereo parameters.");
@@ -112,6 +121,7 @@ cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
       to[column] = from[column] >= first ? static_cast<float>(from[column]) / subpixels : none;
     }
   }
+  if (parameters.texture > 0.0) disparity.setTo(none, withoutTexture(leftGrey, parameters));
   return disparity;
 }
 
