@@ -20,7 +20,8 @@ struct StereoSet {
   int disparities = 64;
 };
 
-/// Disparities in an image of whole numbers, `scale` a pixel, 0 = none; or a float image, inf = none.
+/// Disparities in an image of whole numbers, `scale` a pixel, 0 = none; or a float image, inf =
+/// none.
 inline cv::Mat readTruth(const QString& file, double scale) {
   const cv::Mat stored = cv::imread(file.toStdString(), cv::IMREAD_UNCHANGED);
   cv::Mat truth;
@@ -52,7 +53,8 @@ inline void addSet(std::vector<StereoSet>& sets, const QString& name, const QStr
   set.left = cv::imread(left.toStdString(), cv::IMREAD_COLOR);
   set.right = cv::imread(right.toStdString(), cv::IMREAD_COLOR);
   set.truth = readTruth(truth, scale);
-  set.rig = calibration.isEmpty() ? assumedRig(set.left) : readCalibration(calibration.toStdString());
+  set.rig =
+      calibration.isEmpty() ? assumedRig(set.left) : readCalibration(calibration.toStdString());
   set.disparities = disparities;
   sets.push_back(std::move(set));
 }

@@ -59,8 +59,8 @@ Points truthCloud(const StereoSet& set) {
       const double d = set.truth.at<float>(row, column);
       if (!std::isfinite(d)) continue;
       const double z = f * set.rig.baseline() / d;
-      points.emplace_back(Eigen::Vector3d((column - cx) * z / f, (row - cy) * z / f, z)
-                              .cast<float>());
+      points.emplace_back(
+          Eigen::Vector3d((column - cx) * z / f, (row - cy) * z / f, z).cast<float>());
     }
   }
   return points;
@@ -154,8 +154,8 @@ void TestStereoTruth::initTestCase() {
 void TestStereoTruth::disparityIsNoWorseThanOpenCvs() {
   for (const StereoSet& set : m_sets) {
     StereoStage stage;
-    const double ours = wrongShare(
-        stage.process(set.left, set.right, set.rig, settings(set)).disparity, set.truth);
+    const double ours =
+        wrongShare(stage.process(set.left, set.right, set.rig, settings(set)).disparity, set.truth);
     const double theirs = wrongShare(openCvDisparity(set, settings(set)), set.truth);
     qInfo("%-20s wrong by more than 1 px: %.2f %%, OpenCV %.2f %%", qPrintable(set.name),
           100 * ours, 100 * theirs);
@@ -181,8 +181,8 @@ void TestStereoTruth::clearanceAgreesWithTheTruth() {
       const OrientedBox box = randomBox(truth, parameters, random);
       const TruthDistance expected = bruteForce(truth, parameters.bounds, box);
       const Result result = pipeline.process(frameOf(stereo, sequence++, box), parameters);
-      const double quarterPixel = 0.25 * expected.z * expected.z /
-                                  (set.rig.leftMatrix(0, 0) * set.rig.baseline());
+      const double quarterPixel =
+          0.25 * expected.z * expected.z / (set.rig.leftMatrix(0, 0) * set.rig.baseline());
       const double tolerance = 2.0 * parameters.model.resolution + quarterPixel;
       if (!result.clearance.nearest) {
         QVERIFY2(result.clearance.state == ClearanceState::Unknown, qPrintable(set.name));
