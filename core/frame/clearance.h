@@ -18,7 +18,7 @@ enum class Reason {
   NoLoad,           ///< nobody said where the load is
   LoadOutside,      ///< the load is not inside the bounds
   NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
-  NothingObserved,  ///< no cell around the load was ever observed
+  NothingObserved,  ///< less than min_observed of the load's neighbourhood was ever seen
 };
 
 /// Stable name for files and logs, e.g. "few_depth_pixels"; "" for None.

@@ -260,6 +260,11 @@ constexpr auto table = std::to_array<ParameterInfo>({
         {TR("Validity"), TR("Scene motion"),
          TR("If a larger share of the picture moves, the camera moves; 1 is off")},
         {0.05, 1, 0.05}),
+    row<&P::validity, &V::minObserved>(
+        "min_observed",
+        {TR("Validity"), TR("Smallest observed share"),
+         TR("Share of the load's neighbourhood that must have been observed")},
+        {0, 1, 0.05}),
 });
 #undef TR
 

@@ -87,6 +87,7 @@ struct ValidityParameters {
   int identicalFrames = 3;   ///< this many equal frames in a row mean a frozen source
   double minFill = 0.05;     ///< share of the cloud that must be measured
   double sceneMotion = 0.6;  ///< share of picture features that move: the camera moves
+  double minObserved = 0.1;  ///< share of the load's neighbourhood that must have been observed
 };
 
 /// Everything that can be tuned, with its defaults. Swapped whole between two frames.

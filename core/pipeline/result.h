@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Result {
   std::optional<OrientedBox> load;
   StaticScene scene;
   Clearance clearance;
+  std::string message;  ///< English detail of a fault in this frame; empty if there was none
   WarningLevel level = WarningLevel::NoDistance;
   /// The depth error, +- metres, that a quarter of a pixel of disparity makes at the nearest point;
   /// absent unless the frame came from a calibrated stereo pair.

@@ -1,0 +1,152 @@
+#include "command_line.h"
+
+#include <QCommandLineOption>
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <array>
+
+#include "frame/error.h"
+#include "pipeline/parameter_table.h"
+#include "pipeline/presets.h"
+
+namespace boomwatch {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CommandLine", text); }
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+void addOptions(QCommandLineParser& parser) {
+  const auto option = [&](const char* name, const char* value, const QString& description) {
+    parser.addOption(
+        QCommandLineOption(QString::fromLatin1(name), description, QString::fromLatin1(value)));
+  };
+  option("source", "ADDRESS",
+         tr("stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT, demo:floor, demo:cylinders "
+            "or demo:wall"));
+  option("calibration", "FILE", tr("Stereo calibration, when it does not lie with the recording"));
+  option("headless", "", tr("Run without a window; one JSON line a frame"));
+  option("frames", "N", tr("Stop after N frames"));
+  option("output", "FILE", tr("Where the JSON lines go; - is standard output"));
+  option("screenshot", "FILE", tr("Save the whole window as PNG after the last frame"));
+  option("parameters", "FILE", tr("YAML preset with parameters"));
+  option("set", "KEY=VALUE", tr("Set one parameter; may be given often, after --parameters"));
+  option("load", "CX,CY,CZ,LX,LY,LZ,YAW,PITCH,ROLL",
+         tr("The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
+            "pitch about x, then roll about z, in degrees"));
+  option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
+  option("help", "", tr("Show this text"));
+  option("version", "", tr("Show the version"));
+}
+
+/// `count` numbers, separated by commas; throws Error naming `option`.
+QStringList fields(const QString& option, const QString& value, qsizetype count) {
+  const QStringList parts = value.split(QLatin1Char(','));
+  if (parts.size() == count) return parts;
+  throw Error(option.toStdString(),
+              "'" + value.toStdString() + "' has " + std::to_string(parts.size()) +
+                  " values, not " + std::to_string(count),
+              "Separate the values with commas; --help shows their order.");
+}
+
+void setLoad(Parameters& parameters, const QString& value) {
+  constexpr std::array<const char*, 9> keys{"load_x",      "load_y",      "load_z",
+                                            "load_size_x", "load_size_y", "load_size_z",
+                                            "load_yaw",    "load_pitch",  "load_roll"};
+  const QStringList parts = fields(QStringLiteral("--load"), value, keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    setParameter(parameters, keys[i], parts[static_cast<qsizetype>(i)].trimmed().toStdString());
+  }
+  parameters.load.source = LoadSource::Manual;
+}
+
+int wholeNumber(const QString& option, const QString& value, int minimum) {
+  bool valid = false;
+  const int number = value.trimmed().toInt(&valid);
+  if (valid && number >= minimum) return number;
+  throw Error(option.toStdString(),
+              "'" + value.toStdString() + "' is not a whole number from " + std::to_string(minimum),
+              "Give one.");
+}
+
+void readParameters(CommandLine& line, const QCommandLineParser& parser) {
+  if (parser.isSet(QStringLiteral("parameters"))) {
+    line.parameters =
+        loadPreset(parser.value(QStringLiteral("parameters")).toStdString(), line.parameters);
+  }
+  if (parser.isSet(QStringLiteral("load"))) {
+    setLoad(line.parameters, parser.value(QStringLiteral("load")));
+  }
+  for (const QString& setting : parser.values(QStringLiteral("set"))) {
+    const qsizetype equals = setting.indexOf(QLatin1Char('='));
+    if (equals < 1) {
+      throw Error("--set", "'" + setting.toStdString() + "' has no '='", "Write --set key=value.");
+    }
+    setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
+                 setting.mid(equals + 1).trimmed().toStdString());
+  }
+  line.parametersGiven = parser.isSet(QStringLiteral("parameters")) ||
+                         parser.isSet(QStringLiteral("load")) ||
+                         parser.isSet(QStringLiteral("set"));
+  validate(line.parameters);
+}
+
+}  // namespace
+
+CommandLine parseCommandLine(const QStringList& arguments) {
+  QCommandLineParser parser;
+  addOptions(parser);
+  if (!parser.parse(arguments)) {
+    throw Error("command line", parser.errorText().toStdString(), "--help lists the options.");
+  }
+  if (!parser.positionalArguments().isEmpty()) {
+    throw Error("command line",
+                "'" + parser.positionalArguments().constFirst().toStdString() + "' is no option",
+                "Name a recording with --source KIND:PATH; --help lists the kinds.");
+  }
+  CommandLine line;
+  line.help = parser.isSet(QStringLiteral("help"));
+  line.version = parser.isSet(QStringLiteral("version"));
+  line.headless = parser.isSet(QStringLiteral("headless"));
+  line.source = parser.value(QStringLiteral("source"));
+  line.sourceOptions.calibration = parser.value(QStringLiteral("calibration")).toStdString();
+  line.output = parser.value(QStringLiteral("output"));
+  line.screenshot = parser.value(QStringLiteral("screenshot"));
+  if (parser.isSet(QStringLiteral("frames"))) {
+    line.frames = static_cast<std::size_t>(
+        wholeNumber(QStringLiteral("--frames"), parser.value(QStringLiteral("frames")), 1));
+  }
+  if (parser.isSet(QStringLiteral("tool"))) {
+    const QString value = parser.value(QStringLiteral("tool"));
+    const QStringList pixel = fields(QStringLiteral("--tool"), value, 2);
+    line.tool = cv::Point(wholeNumber(QStringLiteral("--tool"), pixel[0], 0),
+                          wholeNumber(QStringLiteral("--tool"), pixel[1], 0));
+  }
+  readParameters(line, parser);
+  return line;
+}
+
+QString helpText() {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      tr("Boomwatch tells a remote operator how far the load is from hitting something, and "
+         "whether that number can be trusted."));
+  addOptions(parser);
+  QString help = parser.helpText();
+  help += QLatin1Char('\n') + tr("Parameters (key, range, default):") + QLatin1Char('\n');
+  const Parameters defaults;
+  for (const ParameterInfo& info : parameterTable()) {
+    help += QStringLiteral("  %1 %2 [%3]\n      %4\n")
+                .arg(text(info.key), -24)
+                .arg(QString::fromStdString(rangeText(info)),
+                     QString::fromStdString(formatValue(info, info.get(defaults))),
+                     QCoreApplication::translate("Parameters", info.tooltip));
+  }
+  help += QLatin1Char('\n') + tr("Exit codes: 0 done, 1 a fault in the run, 2 bad arguments.") +
+          QLatin1Char('\n');
+  return help;
+}
+
+}  // namespace boomwatch

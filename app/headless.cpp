@@ -1,0 +1,134 @@
+#include "headless.h"
+
+#include <QFile>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "frame/error.h"
+#include "pipeline/pipeline.h"
+#include "result_json.h"
+
+namespace boomwatch {
+namespace {
+
+/// A live source that is silent for this long has ended the run.
+constexpr double silenceToGiveUp = 10.0;  // s
+
+void complain(const std::string& message) {
+  std::fprintf(stderr, "boomwatch: %s\n", message.c_str());
+}
+
+/// Where the lines go: a file or standard output.
+class LineWriter {
+ public:
+  explicit LineWriter(const QString& path) {
+    const bool standard = path.isEmpty() || path == QLatin1String("-");
+    m_file.setFileName(standard ? QStringLiteral("standard output") : path);
+    const bool open = standard ? m_file.open(stdout, QIODevice::WriteOnly)
+                               : m_file.open(QIODevice::WriteOnly | QIODevice::Truncate);
+    if (!open) {
+      throw Error(m_file.fileName().toStdString(), m_file.errorString().toStdString(),
+                  "Name a file that can be written with --output.");
+    }
+  }
+  void write(const QByteArray& line) {
+    if (m_file.write(line + '\n') >= 0 && m_file.flush()) return;
+    throw std::runtime_error(m_file.fileName().toStdString() + ": " +
+                             m_file.errorString().toStdString() +
+                             ". Free some space or name another file with --output.");
+  }
+
+ private:
+ private:
+  QFile m_file;
+};
+
+class HeadlessRun {
+ public:
+  explicit HeadlessRun(const CommandLine& line)
+      : m_line(line),
+        m_source(openSource(line.source.isEmpty() ? "demo:cylinders" : line.source.toStdString(),
+                            line.sourceOptions)),
+        m_writer(line.output) {
+    m_pipeline.setToolPixel(line.tool);
+    for (const ParameterWarning& warning : warningsFor(line.parameters)) complain(warning.message);
+  }
+
+  HeadlessOutcome run() {
+    std::size_t frames = 0;
+    while (!m_line.frames || frames < *m_line.frames) {
+      const ReadResult read = m_source->next(patience());
+      if (read.status == ReadResult::Status::End || !take(read)) break;
+      ++frames;
+    }
+    if (!m_last) fault("the source gave no frame");
+    keepModel();
+    return {m_faulty ? 1 : 0, m_last};
+  }
+
+ private:
+  std::chrono::milliseconds patience() const {
+    return std::chrono::milliseconds(std::lround(m_line.parameters.validity.maxFrameAge * 1000));
+  }
+
+  /// False when the run is over.
+  bool take(const ReadResult& read) {
+    switch (read.status) {
+      case ReadResult::Status::Ok:
+        m_silence = 0.0;
+        publish(m_pipeline.process(read.frame, m_line.parameters));
+        return true;
+      case ReadResult::Status::Bad: {
+        fault(read.message);
+        Result result = noFrameResult(Reason::UnreadableFrame, m_line.parameters);
+        result.message = read.message;
+        publish(std::move(result));
+        return true;
+      }
+      case ReadResult::Status::Stalled:
+        m_silence += m_line.parameters.validity.maxFrameAge;
+        publish(noFrameResult(Reason::NoFrame, m_line.parameters));
+        if (m_silence < silenceToGiveUp) return true;
+        fault("the source has been silent for " + std::to_string(std::lround(m_silence)) + " s");
+        return false;
+      case ReadResult::Status::Lost:
+        fault(read.message);
+        return false;
+      case ReadResult::Status::End:
+        return false;
+    }
+    return false;
+  }
+
+  void publish(Result result) {
+    if (!result.message.empty() && result.frame) fault(result.message);
+    m_writer.write(toJsonLine(result));
+    m_last = std::make_shared<Result>(std::move(result));
+  }
+
+  void fault(const std::string& message) {
+    complain(message);
+    m_faulty = true;
+  }
+
+  void keepModel() {
+    if (m_last && !m_line.screenshot.isEmpty()) {
+      m_last->model = std::make_shared<EnvironmentModel>(m_pipeline.model());
+    }
+  }
+
+  const CommandLine& m_line;
+  std::unique_ptr<FrameSource> m_source;
+  LineWriter m_writer;
+  Pipeline m_pipeline;
+  std::shared_ptr<Result> m_last;
+  double m_silence = 0.0;
+  bool m_faulty = false;
+};
+
+}  // namespace
+
+HeadlessOutcome runHeadless(const CommandLine& line) { return HeadlessRun(line).run(); }
+
+}  // namespace boomwatch

@@ -1,0 +1,80 @@
+#include <QApplication>
+#include <cstdio>
+
+#include "command_line.h"
+#include "console.h"
+#include "frame/error.h"
+#include "headless.h"
+
+namespace {
+
+enum ExitCode { Done = 0, FaultInRun = 1, BadArguments = 2 };
+
+int fail(const std::string& message, ExitCode code) {
+  std::fprintf(stderr, "boomwatch: %s\n", message.c_str());
+  return code;
+}
+
+void print(const QString& text) { std::fputs(qPrintable(text), stdout); }
+
+/// A headless run needs no display, not even for its screenshot.
+void choosePlatform(bool headless) {
+  const bool display =
+      qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+  if (headless && !display && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+}
+
+int runHeadlessly(const boomwatch::CommandLine& line, int& argc, char** argv) {
+  const auto outcome = boomwatch::runHeadless(line);
+  if (line.screenshot.isEmpty() || !outcome.last) return outcome.exitCode;
+  choosePlatform(true);
+  const QApplication application(argc, argv);
+  if (!boomwatch::saveWindowScreenshot(outcome.last, line.screenshot)) {
+    return fail(line.screenshot.toStdString() +
+                    ": cannot be written. Name a PNG file in a folder "
+                    "that can be written.",
+                FaultInRun);
+  }
+  return outcome.exitCode;
+}
+
+int run(const boomwatch::CommandLine& line, int& argc, char** argv) {
+  if (line.headless) return runHeadlessly(line, argc, argv);
+  QApplication application(argc, argv);
+  return boomwatch::runConsole(application, line);
+}
+
+QStringList toArguments(int argc, char** argv) {
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  boomwatch::CommandLine line;
+  try {
+    line = boomwatch::parseCommandLine(toArguments(argc, argv));
+  } catch (const std::exception& fault) {
+    return fail(fault.what(), BadArguments);
+  }
+  if (line.help) {
+    const QCoreApplication application(argc, argv);
+    print(boomwatch::helpText());
+    return Done;
+  }
+  if (line.version) {
+    print(QStringLiteral("boomwatch " BOOMWATCH_VERSION "\n"));
+    return Done;
+  }
+  try {
+    return run(line, argc, argv);
+  } catch (const boomwatch::Error& fault) {
+    return fail(fault.what(), BadArguments);
+  } catch (const std::exception& fault) {
+    return fail(fault.what(), FaultInRun);
+  }
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "environment/scene_motion.h"
+#include "frame/clearance.h"
+#include "frame/frame.h"
+#include "pipeline/parameters.h"
+
+namespace boomwatch {
+
+/// Tells from the frames alone whether the chain may be trusted. Used by one thread.
+class FrameChecks {
+ public:
+  struct Verdict {
+    Reason reason = Reason::None;
+    double fill = 0.0;  ///< share of the cloud that was measured
+    /// The camera has moved for so long that what was learnt before holds no more.
+    bool modelIsStale = false;
+  };
+
+  /// `image` and `cloud` are what the frame was turned into: rectified left, organised cloud.
+  Verdict examine(const FramePtr& frame, const cv::Mat& image, const Cloud& cloud,
+                  const ValidityParameters& parameters);
+  void reset();
+
+ private:
+  bool repeats(const FramePtr& frame);
+
+  FramePtr m_previous;
+  int m_equalFrames = 1;
+  int m_movingFrames = 0;
+  SceneMotion m_motion;
+};
+
+}  // namespace boomwatch
