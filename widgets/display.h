@@ -68,15 +68,19 @@ DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options);
 /// squares over a sample; absent when there are too few or they do not fit to two pixels.
 std::optional<PinholeProjection> fitPinhole(const Cloud& cloud);
 
-/// 256 colours, index 255 the nearest or most probable.
+/// 256 colours, brighter with the index: 255 is the nearest or the most probable.
 std::array<DrawnCloud::Rgba, 256> colourTable(MapColouring colouring);
 
-/// The colour of a depth level 1..255 as an index into colourTable: nearer is brighter, and the
-/// farthest is still told from free.
+/// Indices into colourTable. An observed cell with nothing in it is darker than every depth.
+inline constexpr std::uint8_t freeBrightness = 20;
+inline constexpr std::uint8_t farthestBrightness = 64;  ///< of an occupied cell
+inline constexpr std::uint8_t darkestPointColour = 50;  ///< of a point of the cloud
+
+/// The colour of a depth level 1..255: nearer is brighter.
 std::uint8_t brightnessOfLevel(std::uint8_t level);
 
-/// Brightness of an observed cell with nothing in it; below that of every depth level.
-inline constexpr std::uint8_t freeBrightness = 20;
+/// The probability that is shown brightest: what Eq. 8 tends to when a cell is always hit.
+double highestProbability(const ModelParameters& parameters);
 
 }  // namespace boomwatch
 
