@@ -40,7 +40,6 @@ class LineWriter {
   }
 
  private:
- private:
   QFile m_file;
 };
 

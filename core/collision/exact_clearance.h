@@ -13,7 +13,7 @@ namespace boomwatch {
 /// levels (method.md section 7, Beyond).
 ///
 /// rebuild() after every update of the model, then query() as often as wanted; query() is const and
-/// may run on several threads at once.
+/// may run on several threads at once. Keeps what it needs of the model: the model may go.
 class ExactClearance {
  public:
   ExactClearance();
@@ -23,8 +23,10 @@ class ExactClearance {
 
   void rebuild(const EnvironmentModel& model);
 
-  /// Measured, or NothingInRange when the nearest cell is farther than `range` metres. Never
-  /// Unknown: that is for the caller to say (see Validity).
+  /// Measured, or NothingInRange when the nearest cell is farther than `range` metres (not a
+  /// number: no limit). Unknown only for what cannot be searched: NoModel before the first
+  /// rebuild(), NoLoad when the box holds a number that is not finite or a negative size. All other
+  /// reasons are for the caller to say (see Validity).
   Clearance query(const OrientedBox& box, double range) const;
 
  private:

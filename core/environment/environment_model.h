@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,15 +23,20 @@ enum class CellState { NeverObserved, ObservedFree, Occupied };
 class EnvironmentModel {
  public:
   /// Keeps an observed cell apart from a never observed one, and denormals out of Eq. 8.
-  static constexpr float observedFloor = 1e-6F;
+  static constexpr float observedFloor = 1e-7F;
 
   EnvironmentModel() : EnvironmentModel(GridGeometry{}) {}
   explicit EnvironmentModel(const GridGeometry& geometry);
 
   /// One frame: crops to the bounds, projects (nearest point of a cell wins), then Eq. 8 and 9.
-  /// NaN points are ignored. A point beyond zMax but inside the bounds in x and y shows that its
-  /// cell was looked through: observed, and free in this frame.
-  void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters);
+  /// Points that are not finite or lie before zMin are ignored. A point beyond zMax but inside the
+  /// bounds in x and y shows that its cell was looked through: observed, and free in this frame.
+  ///
+  /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
+  /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
+  /// is, so that an obstacle is not forgotten in the moment in which the load enters it.
+  void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
+              std::span<const Eigen::Vector3f> masked = {});
 
   const GridGeometry& geometry() const { return m_geometry; }
   std::span<const float> probabilities() const { return m_probabilities; }
@@ -43,14 +49,28 @@ class EnvironmentModel {
     return m_probabilities[k] > 0.0F ? CellState::ObservedFree : CellState::NeverObserved;
   }
 
-  /// For tests and for maps that come from elsewhere: sets one cell outright.
+  /// For tests and for maps that come from elsewhere: sets one cell, inside the grid, outright.
   void set(int column, int row, float probability, std::uint8_t level);
 
  private:
+  struct Evidence {
+    std::span<const Eigen::Vector3f> points;
+    std::span<const Eigen::Vector3f> masked;
+  };
+  struct HiddenCell {
+    std::size_t index;
+    float probability;
+    std::uint8_t level;
+  };
+  void updateRows(int begin, int end, const Evidence& evidence, const ModelParameters& parameters);
+  void projectRows(int begin, int end, std::span<const Eigen::Vector3f> points);
+  std::vector<HiddenCell> hiddenCells(int begin, int end,
+                                      std::span<const Eigen::Vector3f> masked) const;
+
   GridGeometry m_geometry;
   std::vector<float> m_probabilities;
   std::vector<std::uint8_t> m_levels;
-  std::vector<std::uint8_t> m_measured;  ///< this frame's levels; scratch, not part of the state
+  std::vector<std::uint8_t> m_nearness;  ///< this frame: 256 - level; scratch, 0 between updates
   std::size_t m_frames = 0;
 };
 

@@ -237,10 +237,12 @@ constexpr auto table = std::to_array<ParameterInfo>({
         "stereo_prefilter_cap",
         {TR("Stereo"), TR("Prefilter cap"), TR("Truncation of the gradient before matching")},
         {1, 63, 1}),
-    row<&P::stereo, &S::textureThreshold>(
-        "stereo_texture",
-        {TR("Stereo"), TR("Texture threshold"), TR("bm: areas with less texture are not matched")},
-        {0, 10000, 1}),
+    row<&P::stereo, &S::texture>("stereo_texture",
+                                 {TR("Stereo"), TR("Texture"),
+                                  TR("Areas with less mean gradient are not matched: over-exposed, "
+                                     "unlit or blank ones give no depth; 0 is off"),
+                                  "grey/px"},
+                                 {0, 50, 0.1}),
     row<&P::validity, &V::maxFrameAge>(
         "max_frame_age",
         {TR("Validity"), TR("Frame age"), TR("Longer without a frame, and there is no distance"),

@@ -27,7 +27,8 @@ struct StereoParameters {
   int speckleWindow = 100;  ///< smallest connected piece kept, pixels; 0 is off
   int speckleRange = 2;     ///< disparity step inside a piece
   int preFilterCap = 31;
-  int textureThreshold = 10;  ///< BM only
+  /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
+  double texture = 0.4;
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.

@@ -137,7 +137,7 @@ void Pipeline::State::updateModel(Result& result) {
   }
   evidence = result.scene.statics;
   evidence.insert(evidence.end(), result.scene.beyond.begin(), result.scene.beyond.end());
-  model.update(evidence, result.parameters.model);
+  model.update(evidence, result.parameters.model, result.scene.removed);
   exact.rebuild(model);
   observed.rebuild(model);
 }

@@ -1,0 +1,33 @@
+#include "collision/nearest_pair.h"
+
+namespace boomwatch {
+namespace {
+
+LoadPart partAt(const OrientedBox& box, const Eigen::Vector3d& p) {
+  // Wide enough for the rounding of a turn there and back, narrow enough for any real box.
+  constexpr double tolerance = 1e-9;
+  const Eigen::Vector3d local = box.rotation.transpose() * (p - box.centre);
+  const auto onFace = local.array().abs() >= box.size.array() / 2 - tolerance;
+  constexpr LoadPart parts[] = {LoadPart::Inside, LoadPart::Face, LoadPart::Edge, LoadPart::Corner};
+  return parts[onFace.count()];
+}
+
+}  // namespace
+
+bool isUsable(const OrientedBox& box) {
+  return box.centre.allFinite() && box.size.allFinite() && box.rotation.allFinite() &&
+         (box.size.array() >= 0).all();
+}
+
+Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
+                    const Eigen::Vector3d& onLoad, const Eigen::Vector3d& onEnvironment) {
+  const Eigen::Vector3d halfCell =
+      Eigen::Vector3d(geometry.resolution(), geometry.resolution(), geometry.levelStep()) / 2;
+  const Eigen::Vector3d line = onEnvironment - onLoad;
+  const double distance = line.norm();
+  if (distance == 0) return {0, onLoad, onEnvironment, LoadPart::Inside, halfCell.norm()};
+  const double quantisation = (line / distance).cwiseAbs().dot(halfCell);
+  return {distance, onLoad, onEnvironment, partAt(box, onLoad), quantisation};
+}
+
+}  // namespace boomwatch

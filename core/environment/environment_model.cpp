@@ -1,0 +1,129 @@
+#include "environment/environment_model.h"
+
+#include <future>
+
+namespace boomwatch {
+namespace {
+
+/// Eq. 8 and 9 over the whole grid, in blocks that stay in the first-level cache: the two loops of
+/// a block each work on one element size, and so vectorise on every x86-64.
+void blend(std::span<float> probabilities, std::span<std::uint8_t> levels,
+           std::span<std::uint8_t> nearness, const ModelParameters& parameters) {
+  constexpr std::size_t block = 2048;
+  const float kept = static_cast<float>(parameters.pPost);
+  const float hit =
+      std::max(static_cast<float>(parameters.pPrior), EnvironmentModel::observedFloor);
+  const float limit = static_cast<float>(parameters.probtresh);
+  std::uint8_t above[block];
+  for (std::size_t begin = 0; begin < levels.size(); begin += block) {
+    const std::size_t count = std::min(block, levels.size() - begin);
+    float* const p = probabilities.data() + begin;
+    std::uint8_t* const level = levels.data() + begin;
+    std::uint8_t* const near = nearness.data() + begin;
+    for (std::size_t k = 0; k < count; ++k) {
+      const float added = near[k] != 0 ? hit : 0.0F;
+      // The floor keeps a cell observed; one that never was has 0, which stays 0.
+      const float floor = std::min(p[k], EnvironmentModel::observedFloor);
+      p[k] = std::max(kept * p[k] + added, floor);  // Eq. (8)
+      above[k] = p[k] > limit ? 0xFF : 0;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto measured = static_cast<std::uint8_t>(-near[k]);   // 256 - nearness, modulo 256
+      level[k] = above[k] & (near[k] != 0 ? measured : level[k]);  // Eq. (9)
+      near[k] = 0;
+    }
+  }
+}
+
+}  // namespace
+
+EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
+    : m_geometry(geometry),
+      m_probabilities(geometry.cellCount()),
+      m_levels(geometry.cellCount()),
+      m_nearness(geometry.cellCount()) {}
+
+void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
+                              const ModelParameters& parameters,
+                              std::span<const Eigen::Vector3f> masked) {
+  // Two bands of rows that share nothing, so that the result does not depend on timing.
+  const Evidence evidence{points, masked};
+  const int middle = m_geometry.rows() / 2;
+  auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, evidence, parameters); });
+  updateRows(middle, m_geometry.rows(), evidence, parameters);
+  upper.get();
+  ++m_frames;
+}
+
+void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
+                                  const ModelParameters& parameters) {
+  projectRows(begin, end, evidence.points);
+  const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence.masked);
+  const std::size_t first = m_geometry.index(0, begin);
+  const std::size_t count = m_geometry.index(0, end) - first;
+  blend(std::span(m_probabilities).subspan(first, count), std::span(m_levels).subspan(first, count),
+        std::span(m_nearness).subspan(first, count), parameters);
+  for (const HiddenCell& cell : hidden) {
+    m_probabilities[cell.index] = cell.probability;
+    m_levels[cell.index] = cell.level;
+  }
+}
+
+std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
+    int begin, int end, std::span<const Eigen::Vector3f> masked) const {
+  std::vector<HiddenCell> hidden;
+  for (const Eigen::Vector3f& point : masked) {
+    const double row = m_geometry.rowPosition(point.y());
+    const double column = m_geometry.columnPosition(point.x());
+    if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
+    const std::size_t k = m_geometry.index(static_cast<int>(column), static_cast<int>(row));
+    if (m_nearness[k] == 0) hidden.push_back({k, m_probabilities[k], m_levels[k]});
+  }
+  return hidden;
+}
+
+void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Vector3f> points) {
+  // Copies: the stores below cannot change them, so they stay in registers.
+  const GridGeometry grid = m_geometry;
+  std::uint8_t* const nearness = m_nearness.data();
+  float* const probabilities = m_probabilities.data();
+  const double columns = grid.columns();
+  const double zMin = grid.bounds().zMin;
+  const double zMax = grid.bounds().zMax;
+  for (const Eigen::Vector3f& point : points) {
+    const double row = grid.rowPosition(point.y());        // Eq. (11)
+    const double column = grid.columnPosition(point.x());  // Eq. (10)
+    // Written so that a NaN fails, and that nothing is converted that does not fit.
+    if (!(row >= begin && row < end && column >= 0.0 && column < columns)) continue;
+    const std::size_t k = grid.index(static_cast<int>(column), static_cast<int>(row));
+    const double z = point.z();
+    if (z >= zMin && z <= zMax) {
+      // Nearer is larger, so that 0 can mean "not measured" and the nearest wins by a maximum.
+      const auto here = static_cast<std::uint8_t>(256 - grid.levelOf(z));
+      nearness[k] = std::max(nearness[k], here);
+    } else if (z > zMax && std::isfinite(z)) {
+      probabilities[k] = std::max(probabilities[k], observedFloor);
+    }
+  }
+}
+
+void EnvironmentModel::set(int column, int row, float probability, std::uint8_t level) {
+  const std::size_t k = m_geometry.index(column, row);
+  m_probabilities[k] = probability;
+  m_levels[k] = level;
+}
+
+std::optional<int> framesToEnter(const ModelParameters& parameters) {
+  if (parameters.probtresh >= parameters.pPrior / (1.0 - parameters.pPost)) return std::nullopt;
+  // The sum of Eq. (22), as Eq. (8) builds it; it stops growing where float can tell no more apart.
+  float probability = 0.0F;
+  for (int frames = 1;; ++frames) {
+    const float next =
+        static_cast<float>(parameters.pPost) * probability + static_cast<float>(parameters.pPrior);
+    if (next > static_cast<float>(parameters.probtresh)) return frames;
+    if (next <= probability) return std::nullopt;
+    probability = next;
+  }
+}
+
+}  // namespace boomwatch

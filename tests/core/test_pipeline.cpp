@@ -1,0 +1,258 @@
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+#include "flat_scene.h"
+#include "frame/error.h"
+#include "pipeline/pipeline.h"
+
+using namespace boomwatch;
+using namespace boomwatch::test;
+
+namespace {
+
+Result runWall(Pipeline& pipeline, const Parameters& parameters, int frames, float z,
+               std::uint64_t first = 0) {
+  Result result;
+  for (int i = 0; i < frames; ++i) {
+    result = pipeline.process(wallFrame(first + static_cast<std::uint64_t>(i), z), parameters);
+  }
+  return result;
+}
+
+}  // namespace
+
+class TestPipeline : public QObject {
+  Q_OBJECT
+ private slots:
+  void saysWhyWhileTheModelIsNew();
+  void measuresTheWallFromTheFourthFrameOn();
+  void movingAwayNeverShortens();
+  void noLoadIsNoDistance();
+  void aLoadOutsideTheBoundsIsNoDistance();
+  void aLoadThatIsNotANumberIsNoLoad();
+  void repeatedFramesAreNoDistance();
+  void tooFewDepthPixelsAreNoDistanceAndTeachNothing();
+  void aMovingPictureIsNoDistance();
+  void probtreshTooHighNeverMeasures();
+  void aNewResolutionTakesEffectAtTheNextFrame();
+  void contradictingParametersThrow();
+  void nothingObservedAroundTheLoadIsUnknown();
+  void pointsInsideTheLoadAreRemovedAndShown();
+  void anObstacleThatTheLoadEntersIsACollision();
+  void aFrameWithoutAnythingIsUnreadable();
+  void rays_data();
+  void rays();
+};
+
+void TestPipeline::saysWhyWhileTheModelIsNew() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  const Result result = runWall(pipeline, parameters, 3, 3.0F);
+  QCOMPARE(result.clearance.reason, Reason::NoModel);
+  QVERIFY(!result.clearance.nearest);
+  QCOMPARE(result.level, WarningLevel::NoDistance);
+}
+
+void TestPipeline::measuresTheWallFromTheFourthFrameOn() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  const Result result = runWall(pipeline, parameters, 4, 3.0F);
+  QCOMPARE(result.clearance.state, ClearanceState::Measured);
+  QCOMPARE(result.clearance.reason, Reason::None);
+  const Nearest& nearest = *result.clearance.nearest;
+  // The load's far face is at 1.7 m.
+  QVERIFY(std::abs(nearest.distance - 1.3) <= nearest.quantisation);
+  QCOMPARE(result.level, WarningLevel::Caution);
+  QVERIFY(*result.clearance.observedShare > 0.95);
+  QVERIFY(!result.depthUncertainty);
+  QVERIFY(!result.timings.empty());
+}
+
+void TestPipeline::movingAwayNeverShortens() {
+  Parameters parameters = smallParameters();
+  Pipeline pipeline;
+  hangLoad(parameters, 2.5);
+  double last = runWall(pipeline, parameters, 4, 3.0F).clearance.nearest->distance;
+  std::uint64_t sequence = 4;
+  for (double z = 2.4; z > 0.5; z -= 0.1) {
+    hangLoad(parameters, z);
+    const Result result = pipeline.process(wallFrame(sequence++, 3.0F), parameters);
+    QVERIFY(result.clearance.nearest->distance >= last);
+    last = result.clearance.nearest->distance;
+  }
+}
+
+void TestPipeline::noLoadIsNoDistance() {
+  Pipeline pipeline;
+  const Result result = runWall(pipeline, smallParameters(), 5, 3.0F);
+  QCOMPARE(result.clearance.reason, Reason::NoLoad);
+  QCOMPARE(result.level, WarningLevel::NoDistance);
+}
+
+void TestPipeline::aLoadOutsideTheBoundsIsNoDistance() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  parameters.load.x = 7.0;
+  Pipeline pipeline;
+  QCOMPARE(runWall(pipeline, parameters, 5, 3.0F).clearance.reason, Reason::LoadOutside);
+}
+
+void TestPipeline::aLoadThatIsNotANumberIsNoLoad() {
+  Pipeline pipeline;
+  auto frame = std::make_shared<Frame>(*wallFrame(0, 3.0F));
+  frame->load = OrientedBox{};
+  frame->load->centre.x() = std::numeric_limits<double>::quiet_NaN();
+  QCOMPARE(pipeline.process(frame, smallParameters()).clearance.reason, Reason::NoLoad);
+}
+
+void TestPipeline::repeatedFramesAreNoDistance() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  QVERIFY(runWall(pipeline, parameters, 5, 3.0F).clearance.nearest);
+  const FramePtr frozen = wallFrame(5, 3.0F);
+  QVERIFY(pipeline.process(frozen, parameters).clearance.nearest);
+  QVERIFY(pipeline.process(frozen, parameters).clearance.nearest);
+  const Result third = pipeline.process(frozen, parameters);
+  QCOMPARE(third.clearance.reason, Reason::IdenticalFrames);
+  QVERIFY(!third.clearance.nearest);
+  QVERIFY(pipeline.process(wallFrame(8, 3.0F), parameters).clearance.nearest);
+}
+
+void TestPipeline::tooFewDepthPixelsAreNoDistanceAndTeachNothing() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  runWall(pipeline, parameters, 5, 3.0F);
+  auto blind = std::make_shared<Frame>(*wallFrame(5, 3.0F));
+  auto cloud = std::make_shared<Cloud>(*blind->cloud);
+  std::fill(cloud->points.begin(), cloud->points.end(), unmeasuredPoint());
+  blind->cloud = cloud;
+  const Result result = pipeline.process(blind, parameters);
+  QCOMPARE(result.clearance.reason, Reason::FewDepthPixels);
+  QCOMPARE(result.fill, 0.0);
+  // What was learnt before stands: the next good frame measures at once.
+  QVERIFY(pipeline.process(wallFrame(6, 3.0F), parameters).clearance.nearest);
+}
+
+void TestPipeline::aMovingPictureIsNoDistance() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  runWall(pipeline, parameters, 5, 3.0F);
+  Result result;
+  for (int i = 0; i < 4; ++i) {
+    result = pipeline.process(wallFrame(static_cast<std::uint64_t>(5 + i), 3.0F, 3 * (i + 1)),
+                              parameters);
+    QCOMPARE(result.clearance.reason, Reason::SceneMoves);
+  }
+  // It moved for so long that the model is begun anew when the camera rests.
+  result = pipeline.process(wallFrame(9, 3.0F, 12), parameters);
+  QCOMPARE(result.clearance.reason, Reason::NoModel);
+  QVERIFY(result.modelRebuilt);
+}
+
+void TestPipeline::probtreshTooHighNeverMeasures() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  parameters.model.probtresh = 0.67;
+  Pipeline pipeline;
+  QCOMPARE(runWall(pipeline, parameters, 30, 3.0F).clearance.reason, Reason::NoModel);
+}
+
+void TestPipeline::aNewResolutionTakesEffectAtTheNextFrame() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  QVERIFY(!runWall(pipeline, parameters, 5, 3.0F).modelRebuilt);
+  parameters.model.resolution = 0.1;
+  const Result result = pipeline.process(wallFrame(5, 3.0F), parameters);
+  QVERIFY(result.modelRebuilt);
+  QCOMPARE(pipeline.model().geometry().columns(), 40);
+  QCOMPARE(result.clearance.reason, Reason::NoModel);
+}
+
+void TestPipeline::contradictingParametersThrow() {
+  Parameters parameters = smallParameters();
+  parameters.bounds.xMin = 3.0;
+  Pipeline pipeline;
+  QVERIFY_EXCEPTION_THROWN(pipeline.process(wallFrame(0, 3.0F), parameters), Error);
+}
+
+void TestPipeline::nothingObservedAroundTheLoadIsUnknown() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5, 0.2);
+  parameters.load.x = 1.5;
+  parameters.clearance.range = 0.5;
+  Pipeline pipeline;
+  Result result;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    auto frame = std::make_shared<Frame>(*wallFrame(i, 4.0F));
+    auto cloud = std::make_shared<Cloud>(*frame->cloud);
+    for (auto& point : cloud->points) {
+      if (point.x() > -1.5F) point = unmeasuredPoint();
+    }
+    frame->cloud = cloud;
+    result = pipeline.process(frame, parameters);
+  }
+  QCOMPARE(result.clearance.reason, Reason::NothingObserved);
+  QVERIFY(*result.clearance.observedShare < 0.1);
+  QCOMPARE(result.level, WarningLevel::NoDistance);
+}
+
+void TestPipeline::pointsInsideTheLoadAreRemovedAndShown() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 3.0, 0.5);
+  Pipeline pipeline;
+  const Result result = runWall(pipeline, parameters, 5, 3.0F);
+  QVERIFY(!result.scene.removed.empty());
+  for (const auto& point : result.scene.removed) {
+    QVERIFY(result.load->contains(point.cast<double>()));
+  }
+}
+
+void TestPipeline::anObstacleThatTheLoadEntersIsACollision() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5, 0.5);
+  Pipeline pipeline;
+  runWall(pipeline, parameters, 5, 3.0F);
+  hangLoad(parameters, 2.9, 0.5);
+  for (std::uint64_t i = 5; i < 10; ++i) {
+    const Result result = pipeline.process(wallFrame(i, 3.0F), parameters);
+    QCOMPARE(result.clearance.nearest->distance, 0.0);
+    QCOMPARE(result.level, WarningLevel::Collision);
+  }
+}
+
+void TestPipeline::aFrameWithoutAnythingIsUnreadable() {
+  Pipeline pipeline;
+  const Result result = pipeline.process(std::make_shared<Frame>(), smallParameters());
+  QCOMPARE(result.clearance.reason, Reason::UnreadableFrame);
+  QVERIFY(!result.message.empty());
+}
+
+void TestPipeline::rays_data() {
+  QTest::addColumn<double>("x");
+  QTest::newRow("inside the grid") << 0.0;
+  QTest::newRow("at its edge") << 1.9;
+}
+
+void TestPipeline::rays() {
+  QFETCH(double, x);
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  parameters.load.x = x;
+  parameters.clearance.method = ClearanceMethod::Rays;
+  parameters.clearance.radius = 10;
+  Pipeline pipeline;
+  const Result result = runWall(pipeline, parameters, 5, 3.0F);
+  QVERIFY(!result.clearance.rays.empty());
+  QVERIFY(std::abs(result.clearance.nearest->distance - 1.3) <=
+          result.clearance.nearest->quantisation + 1e-9);
+}
+
+QTEST_GUILESS_MAIN(TestPipeline)
+#include "test_pipeline.moc"
