@@ -10,8 +10,8 @@ namespace boomwatch {
 
 /// The left image with the load box, the nearest point and the tool drawn over it.
 ///
-/// A click, or arrows and Enter, picks the tool; right click, Escape or Delete clears it. GUI
-/// thread.
+/// A click, or arrows (shift: by one pixel) and Enter, picks the tool; right click, Escape or
+/// Delete clears it. GUI thread.
 class CameraView : public QWidget {
   Q_OBJECT
 
@@ -40,12 +40,12 @@ class CameraView : public QWidget {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  QSize pictureSize() const;
+  QPointF toWidget(const QPointF& pixel) const;
   void drawLoad(QPainter& painter) const;
   void drawNearest(QPainter& painter) const;
-  void drawTool(QPainter& painter) const;
   void drawCursor(QPainter& painter) const;
-  QPointF toWidget(const QPointF& pixel) const;
-  bool moveCursor(int key, int step);
+  void moveCursor(const QPoint& by);
 
   DisplayPtr m_display;
   std::optional<QPoint> m_cursor;  ///< the keyboard's, in image pixels

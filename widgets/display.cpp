@@ -78,8 +78,7 @@ class Colouring {
     m_far = static_cast<float>(height ? bounds.yMax : bounds.zMax);
     const auto near = static_cast<float>(height ? bounds.yMin : bounds.zMin);
     m_perMetre = static_cast<float>(255 - darkestPointColour) / (m_far - near);
-    m_byImage = by == CloudColouring::Image && result.cloud && m_image.depth() == CV_8U &&
-                m_image.cols == result.cloud->width && m_image.rows == result.cloud->height;
+    m_byImage = by == CloudColouring::Image;
   }
 
   Rgba operator()(std::size_t index, const Eigen::Vector3f& point) const {
@@ -113,6 +112,11 @@ bool drawnAsRemoved(const Result& result, const Eigen::Vector3f& point) {
   const Eigen::Vector3d p = point.cast<double>();
   return (result.load && result.load->contains(p)) ||
          (result.scene.toolBox && result.scene.toolBox->contains(p));
+}
+
+bool pictureMatchesCloud(const Result& result) {
+  return result.cloud && !result.image.empty() && result.cloud->width == result.image.cols &&
+         result.cloud->height == result.image.rows;
 }
 
 DrawnCloud drawnCloud(const Result& result, CloudColouring by) {
@@ -221,11 +225,12 @@ DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options) {
     display->probability = probabilityImage(*result->model, result->parameters.model, options.maps);
     display->model = modelImage(*result->model, options.maps);
   }
-  display->cloud = drawnCloud(*result, options.cloud);
-  if (result->cloud && result->cloud->width == result->image.cols &&
-      result->cloud->height == result->image.rows) {
-    display->projection = fitPinhole(*result->cloud);
-  }
+  const bool matches = pictureMatchesCloud(*result);
+  const bool colourable = matches && !display->camera.isNull();
+  const bool byDepth = options.cloud == CloudColouring::Image && !colourable;
+  display->cloudColouring = byDepth ? CloudColouring::Depth : options.cloud;
+  display->cloud = drawnCloud(*result, display->cloudColouring);
+  if (matches) display->projection = fitPinhole(*result->cloud);
   return display;
 }
 

@@ -55,6 +55,7 @@ struct Display {
   QImage probability;  ///< a pixel a cell, transparent where never observed; null without a model
   QImage model;        ///< as probability; nearer is brighter, free is darker than any depth
   DrawnCloud cloud;
+  CloudColouring cloudColouring = CloudColouring::Depth;  ///< Depth where Image was impossible
   /// Fitted to the organised cloud itself; absent where the cloud is no pinhole's.
   std::optional<PinholeProjection> projection;
 };

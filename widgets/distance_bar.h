@@ -38,6 +38,9 @@ class DistanceBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  const Nearest* nearest() const;
+  bool nothingInRange() const;
+  double searchedRange() const;
   void announce();
 
   DisplayPtr m_display;

@@ -58,8 +58,10 @@ class MapView : public QWidget {
 
  private:
   const QImage& image() const;
-  const GridGeometry* geometry() const;
+  /// Null when there is no map to show.
+  const EnvironmentModel* model() const;
   QRectF mapArea() const;
+  double fittingScale() const;
   void drawCells(QPainter& painter);
   void drawOverlay(QPainter& painter) const;
   void drawStrip(QPainter& painter) const;
@@ -74,7 +76,8 @@ class MapView : public QWidget {
   std::optional<QPointF> m_cursor;
   std::optional<QPointF> m_dragFrom;
   QString m_readout;
-  QImage m_reduced;  ///< the whole map scaled down, while it is smaller than its cells
+  QImage m_reduced;        ///< the whole map scaled down, while cells are smaller than pixels
+  qint64 m_reducedOf = 0;  ///< the image it was made from
 };
 
 }  // namespace boomwatch
