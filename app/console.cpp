@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QTranslator>
 #include <cstdio>
+#include <limits>
 
 #include "main_window.h"
 #include "theme.h"
@@ -13,6 +14,8 @@
 
 namespace boomwatch {
 namespace {
+
+constexpr std::size_t wholeRecording = std::numeric_limits<std::size_t>::max();
 
 void complain(const QString& text) {
   std::fprintf(stderr, "boomwatch: %s\n", text.toLocal8Bit().constData());
@@ -47,7 +50,9 @@ class ConsoleRun {
     });
     QObject::connect(&m_window, &MainWindow::finished, &m_window, [this] { finish(); });
     if (m_line.tool) m_worker.setToolPixel(m_line.tool);
-    if (m_line.frames) m_worker.command(StopAfterCommand{*m_line.frames});
+    if (m_line.frames || !m_line.screenshot.isEmpty()) {
+      m_worker.command(StopAfterCommand{m_line.frames.value_or(wholeRecording)});
+    }
     open();
     m_window.show();
     const int code = QApplication::exec();

@@ -174,7 +174,7 @@ void MainWindow::showNews(const News& news) {
   if (news.display && news.frames > 0) {
     const std::chrono::duration<double, std::milli> latency = Clock::now() - news.readAt;
     m_panes.status->setLatency(latency.count());
-    m_panes.status->setRate(news.framesPerSecond);
+    m_panes.status->setRate(playing() ? news.framesPerSecond : 0.0);
   }
   m_panes.status->setDropped(m_skipped, m_lost);
   for (const Notice& notice : news.notices) showNotice(notice);
@@ -191,12 +191,10 @@ void MainWindow::showDisplay(const DisplayPtr& display) {
 }
 
 void MainWindow::showStatus(const SourceStatus& status) {
-  const bool begins = status.player && (!m_status.player || !(*m_status.player == *status.player));
-  if (begins && status.player->state != m_status.player.value_or(PlayerStatus{}).state) {
-    m_aliveAt = Clock::now();
-    if (status.player->state != PlayState::Playing) m_panes.status->setRate(0.0);
-  }
+  const bool begins = status.player && (!playing() || status.address != m_status.address);
+  if (begins) m_aliveAt = Clock::now();
   m_status = status;
+  if (!playing()) m_panes.status->setRate(0.0);
   m_panes.player->setStatus(status.player);
   const QString title =
       status.address.isEmpty() ? tr("Boomwatch") : tr("%1 - Boomwatch").arg(status.address);
@@ -255,7 +253,7 @@ void MainWindow::setParameters(const Parameters& parameters) {
 void MainWindow::setTool(std::optional<QPoint> pixel) {
   if (!m_worker) return;
   m_worker->setToolPixel(pixel ? std::optional(cv::Point(pixel->x(), pixel->y())) : std::nullopt);
-  if (m_status.player && m_status.player->state != PlayState::Playing) {
+  if (m_status.player && !playing()) {
     m_panes.state->showNotice(tr("The tool is set with the next frame."));
   }
 }

@@ -71,3 +71,5 @@ class ParameterDock : public QDockWidget {
 };
 
 }  // namespace boomwatch
+
+Q_DECLARE_METATYPE(boomwatch::Parameters)

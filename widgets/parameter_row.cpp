@@ -24,6 +24,9 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
   m_reset->setAutoRaise(true);
   m_reset->setToolTip(tr("Back to the default"));
   m_reset->setAccessibleName(tr("Reset %1").arg(label->text()));
+  QSizePolicy keep = m_reset->sizePolicy();
+  keep.setRetainSizeWhenHidden(true);
+  m_reset->setSizePolicy(keep);
   m_message->setWordWrap(true);
   m_message->hide();
 
@@ -41,12 +44,12 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
 void ParameterRow::showValue(const Parameters& parameters) {
   const ParameterValue value = m_info.get(parameters);
   m_editor->setValue(value);
-  m_reset->setEnabled(value != m_info.get(Parameters{}));
+  m_reset->setVisible(value != m_info.get(Parameters{}));
 }
 
 void ParameterRow::write(Parameters& parameters) const {
   m_info.set(parameters, m_editor->value());
-  m_reset->setEnabled(m_info.get(parameters) != m_info.get(Parameters{}));
+  m_reset->setVisible(m_info.get(parameters) != m_info.get(Parameters{}));
 }
 
 void ParameterRow::setMessage(const QString& text) {
