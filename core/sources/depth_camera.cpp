@@ -19,7 +19,12 @@ cv::Mat matrixIn(const cv::FileStorage& storage, const std::filesystem::path& fi
   for (const char* key : {"camera_matrix", "M1", "intrinsic", "K"}) {
     const cv::FileNode node = storage[key];
     if (node.empty()) continue;
-    const cv::Mat matrix = node.mat();
+    // Looked at first: mat() allocates whatever rows and cols claim.
+    const auto isThree = [](const cv::FileNode& n) {
+      return n.isInt() && static_cast<int>(n) == 3;
+    };
+    const bool isSmall = node.isMap() && isThree(node["rows"]) && isThree(node["cols"]);
+    const cv::Mat matrix = isSmall ? node.mat() : cv::Mat();
     if (matrix.rows != 3 || matrix.cols != 3 || matrix.channels() != 1) {
       refuse(file, std::string(key) + " is not a 3 x 3 matrix");
     }
@@ -73,8 +78,12 @@ DepthCamera readDepthCamera(const std::filesystem::path& file) {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!storage.isOpened()) refuse(file, "it is neither YAML, XML nor JSON as OpenCV writes it");
     camera = parse(storage, file);
+  } catch (const Error&) {
+    throw;
   } catch (const cv::Exception& fault) {
     refuse(file, "it is not as OpenCV writes it: " + fault.err);
+  } catch (const std::exception&) {  // its parsers let std::length_error and others through
+    refuse(file, "it is not as OpenCV writes it");
   }
   check(camera, file);
   return camera;
