@@ -19,6 +19,7 @@ class TemporaryFolder {
   std::filesystem::path write(const QString& name, const QByteArray& bytes) const {
     const QString file = m_folder.filePath(name);
     QDir().mkpath(QFileInfo(file).path());
+    QFile::remove(file);  // rewriting in place is flushed to disk by some file systems
     QFile out(file);
     if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size()) {
       qFatal("cannot write %s", qPrintable(file));
@@ -41,5 +42,8 @@ QString errorOf(Work&& work) {
   return {};
 }
 
-#define COMPARE_CONTAINS(text, part) \
-  QVERIFY2((text).contains(part), qPrintable("got: '" + (text) + "', wanted: '" + (part) + "'"))
+#define COMPARE_CONTAINS(text, part)                                                          \
+  do {                                                                                        \
+    const QString got = (text);                                                               \
+    QVERIFY2(got.contains(part), qPrintable("got: '" + got + "', wanted: '" + (part) + "'")); \
+  } while (false)

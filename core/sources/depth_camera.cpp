@@ -1,0 +1,88 @@
+#include "sources/depth_camera.h"
+
+#include <cmath>
+
+#include "frame/error.h"
+#include "sources/opencv_file.h"
+
+namespace boomwatch {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
+  throw Error(file.string(), what,
+              "Give OpenCV's YAML or XML with camera_matrix, or fx, fy, cx and cy.");
+}
+
+cv::Mat matrixIn(const OpencvFile& content, const std::filesystem::path& file) {
+  for (const char* key : {"camera_matrix", "M1", "intrinsic", "K"}) {
+    const auto found = content.matrices.find(key);
+    if (found == content.matrices.end()) continue;
+    if (found->second.size() == cv::Size(3, 3)) return found->second;
+    refuse(file, std::string(key) + " is not a 3 x 3 matrix");
+  }
+  return {};
+}
+
+double numberIn(const OpencvFile& content, const char* key, const std::filesystem::path& file) {
+  const auto found = content.numbers.find(key);
+  if (found != content.numbers.end()) return found->second;
+  refuse(file, std::string(key) + " is missing or not a number");
+}
+
+DepthCamera parse(const OpencvFile& content, const std::filesystem::path& file) {
+  DepthCamera camera;
+  const cv::Mat matrix = matrixIn(content, file);
+  if (!matrix.empty()) {
+    camera = {matrix.at<double>(0, 0), matrix.at<double>(1, 1), matrix.at<double>(0, 2),
+              matrix.at<double>(1, 2)};
+  } else if (content.numbers.contains("fx")) {
+    camera = {content.numbers.at("fx"), numberIn(content, "fy", file),
+              numberIn(content, "cx", file), numberIn(content, "cy", file)};
+  } else {
+    refuse(file, "there is neither a matrix camera_matrix, M1, intrinsic or K, nor a number fx");
+  }
+  if (content.numbers.contains("depth_factor")) {
+    camera.unitsPerMetre = content.numbers.at("depth_factor");
+  }
+  return camera;
+}
+
+void check(const DepthCamera& camera, const std::filesystem::path& file) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!positive(camera.fx) || !positive(camera.fy)) refuse(file, "a focal length is not above 0");
+  if (!std::isfinite(camera.cx) || !std::isfinite(camera.cy)) {
+    refuse(file, "the principal point is not a number");
+  }
+  if (!positive(camera.unitsPerMetre)) refuse(file, "depth_factor is not above 0");
+}
+
+}  // namespace
+
+DepthCamera readDepthCamera(const std::filesystem::path& file) {
+  const DepthCamera camera = parse(readOpencvFile(file), file);
+  check(camera, file);
+  return camera;
+}
+
+Cloud cloudFromDepth(const cv::Mat& depth, const DepthCamera& camera) {
+  Cloud cloud;
+  cloud.width = depth.cols;
+  cloud.height = depth.rows;
+  cloud.points.reserve(depth.total());
+  for (int v = 0; v < depth.rows; ++v) {
+    const auto* row = depth.ptr<std::uint16_t>(v);
+    for (int u = 0; u < depth.cols; ++u) {
+      if (row[u] == 0) {
+        cloud.points.push_back(unmeasuredPoint());
+        continue;
+      }
+      const double z = row[u] / camera.unitsPerMetre;
+      cloud.points.push_back(
+          Eigen::Vector3d((u - camera.cx) * z / camera.fx, (v - camera.cy) * z / camera.fy, z)
+              .cast<float>());
+    }
+  }
+  return cloud;
+}
+
+}  // namespace boomwatch
