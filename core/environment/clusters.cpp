@@ -90,10 +90,8 @@ class CellJoiner {
   void joinAll() {
     for (const auto& row : m_grid.rows) joinWithin(row);
     const std::uint64_t layer = m_grid.rowsPerLayer;
-    // Half of the 24 rows around a row, nearest first; the other half find this one.
-    for (const std::uint64_t step :
-         {std::uint64_t{1}, layer, layer - 1, layer + 1, std::uint64_t{2}, layer - 2, layer + 2,
-          2 * layer, 2 * layer - 1, 2 * layer + 1, 2 * layer - 2, 2 * layer + 2}) {
+    // Half of the eight rows around a row; the other half find this one.
+    for (const std::uint64_t step : {std::uint64_t{1}, layer, layer - 1, layer + 1}) {
       auto other = m_grid.rows.begin();
       for (const auto& row : m_grid.rows) {
         while (other != m_grid.rows.end() && other->key < row.key + step) ++other;
@@ -112,14 +110,13 @@ class CellJoiner {
   void joinRows(const PointGrid::Row& row, const PointGrid::Row& other) {
     std::uint32_t first = other.begin;
     for (std::uint32_t a = row.begin; a < row.end; ++a) {
-      while (first < other.end && m_grid.cells[first].x + 2 < m_grid.cells[a].x) ++first;
+      while (first < other.end && columnOf(first) + 2 < columnOf(a)) ++first;
       for (std::uint32_t b = first; b < other.end && near(a, b); ++b) join(a, b);
     }
   }
 
-  bool near(std::uint32_t a, std::uint32_t b) const {
-    return m_grid.cells[b].x <= m_grid.cells[a].x + 2;
-  }
+  std::uint64_t columnOf(std::uint32_t cell) const { return m_grid.cells[cell].place / 4; }
+  bool near(std::uint32_t a, std::uint32_t b) const { return columnOf(b) <= columnOf(a) + 2; }
 
   void join(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t rootA = rootOf(a);
@@ -129,7 +126,7 @@ class CellJoiner {
   }
 
   std::span<Vector3f> pointsOf(std::uint32_t cell) {
-    const auto& [x, begin, end] = m_grid.cells[cell];
+    const auto& [place, begin, end] = m_grid.cells[cell];
     return std::span(m_grid.points).subspan(begin, end - begin);
   }
 

@@ -59,7 +59,7 @@ class Axis {
 
 struct Item {
   std::uint64_t row;
-  std::uint32_t x;
+  std::uint64_t place;
   std::uint32_t point;
 };
 
@@ -90,16 +90,18 @@ std::vector<Item> sortedItems(const Points& points, double side, std::uint64_t& 
   const Axis x(points, 0, low.x(), high.x(), inverse);
   const Axis y(points, 1, low.y(), high.y(), inverse);
   const Axis z(points, 2, low.z(), high.z(), inverse);
-  rowsPerLayer = y.count();
+  rowsPerLayer = y.count() / 2 + 1;
   std::vector<Item> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& p = points[i];
-    items[i] = {z.cellOf(p.z()) * y.count() + y.cellOf(p.y()), x.cellOf(p.x()),
+    const std::uint64_t column = x.cellOf(points[i].x());
+    const std::uint64_t line = y.cellOf(points[i].y());
+    const std::uint64_t layer = z.cellOf(points[i].z());
+    items[i] = {layer / 2 * rowsPerLayer + line / 2, 4 * column + 2 * (layer % 2) + line % 2,
                 static_cast<std::uint32_t>(i)};
   }
   std::vector<Item> scratch(items.size());
-  radixSort(items, scratch, x.count(), [](const Item& item) { return item.x; });
-  radixSort(items, scratch, z.count() * y.count(), [](const Item& item) { return item.row; });
+  radixSort(items, scratch, 4 * x.count(), [](const Item& item) { return item.place; });
+  radixSort(items, scratch, z.count() * rowsPerLayer, [](const Item& item) { return item.row; });
   return items;
 }
 
@@ -118,8 +120,8 @@ PointGrid sortIntoCells(const Points& points, double side) {
     const bool newRow = grid.rows.empty() || grid.rows.back().key != item.row;
     const auto cell = static_cast<std::uint32_t>(grid.cells.size());
     if (newRow) grid.rows.push_back({item.row, cell, cell});
-    if (newRow || grid.cells.back().x != item.x) {
-      grid.cells.push_back({item.x, k, k});
+    if (newRow || grid.cells.back().place != item.place) {
+      grid.cells.push_back({item.place, k, k});
       grid.rows.back().end = cell + 1;
     }
     grid.cells.back().end = k + 1;
