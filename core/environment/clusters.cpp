@@ -56,6 +56,7 @@ bool anyPairBelow(std::span<const Vector3f> a, std::span<const Vector3f> b, floa
 bool touch(std::span<Vector3f> a, std::span<Vector3f> b, float limit) {
   constexpr std::size_t fewPairs = 64;
   if (a.size() * b.size() <= fewPairs) return anyPairBelow(a, b, limit);
+  if (squared(a.front() - b.front()) < limit) return true;
   const Box boxA = boxAround(a);
   const Box boxB = boxAround(b);
   // Rounding is monotonic, so these bounds hold for the rounded distances as well.
@@ -115,7 +116,7 @@ class CellJoiner {
     }
   }
 
-  std::uint64_t columnOf(std::uint32_t cell) const { return m_grid.cells[cell].place / 4; }
+  std::uint32_t columnOf(std::uint32_t cell) const { return m_grid.cells[cell].place / 4; }
   bool near(std::uint32_t a, std::uint32_t b) const { return columnOf(b) <= columnOf(a) + 2; }
 
   void join(std::uint32_t a, std::uint32_t b) {
@@ -147,21 +148,22 @@ Clusters allApart(std::span<const Vector3f> points) {
   return clusters;
 }
 
-/// Numbers clusters in the order in which the points, `rootOfPoint`, first name them.
-Clusters numbered(const std::vector<std::int64_t>& rootOfPoint, std::size_t cells) {
+/// Numbers clusters in the order in which the points first name them. `labels` holds the root cell
+/// of every point, or noCluster; there are `cells` of them.
+Clusters numbered(std::vector<std::int32_t> labels, std::size_t cells) {
   Clusters clusters;
-  clusters.labels.assign(rootOfPoint.size(), Clusters::noCluster);
   std::vector<std::int32_t> labelOfRoot(cells, Clusters::noCluster);
-  for (std::size_t i = 0; i < rootOfPoint.size(); ++i) {
-    if (rootOfPoint[i] < 0) continue;
-    std::int32_t& label = labelOfRoot[static_cast<std::size_t>(rootOfPoint[i])];
-    if (label == Clusters::noCluster) {
-      label = static_cast<std::int32_t>(clusters.sizes.size());
+  for (std::int32_t& label : labels) {
+    if (label == Clusters::noCluster) continue;
+    std::int32_t& number = labelOfRoot[static_cast<std::size_t>(label)];
+    if (number == Clusters::noCluster) {
+      number = static_cast<std::int32_t>(clusters.sizes.size());
       clusters.sizes.push_back(0);
     }
-    clusters.labels[i] = label;
-    ++clusters.sizes[static_cast<std::size_t>(label)];
+    label = number;
+    ++clusters.sizes[static_cast<std::size_t>(number)];
   }
+  clusters.labels = std::move(labels);
   return clusters;
 }
 
@@ -175,26 +177,17 @@ Clusters euclideanClusters(std::span<const Vector3f> points, float tolerance) {
   const double reach = std::min(tolerance, largest);
   const auto limit = static_cast<float>(reach * reach);
 
-  Points finite;
-  std::vector<std::uint32_t> source;
-  finite.reserve(points.size());
-  source.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!isMeasured(points[i])) continue;
-    finite.push_back(points[i]);
-    source.push_back(static_cast<std::uint32_t>(i));
-  }
   // The diagonal of a cell is shorter than the tolerance by more than rounding can make up for.
-  PointGrid grid = sortIntoCells(finite, reach / (std::sqrt(3.0) * 1.00001));
+  PointGrid grid = sortIntoCells(points, reach / (std::sqrt(3.0) * 1.00001));
   CellJoiner joiner(grid, limit);
-  std::vector<std::int64_t> rootOfPoint(points.size(), Clusters::noCluster);
+  std::vector<std::int32_t> rootOfPoint(points.size(), Clusters::noCluster);
   for (std::uint32_t cell = 0; cell < grid.cells.size(); ++cell) {
-    const std::uint32_t root = joiner.rootOf(cell);
+    const auto root = static_cast<std::int32_t>(joiner.rootOf(cell));
     for (std::uint32_t k = grid.cells[cell].begin; k < grid.cells[cell].end; ++k) {
-      rootOfPoint[source[grid.order[k]]] = root;
+      rootOfPoint[grid.order[k]] = root;
     }
   }
-  return numbered(rootOfPoint, grid.cells.size());
+  return numbered(std::move(rootOfPoint), grid.cells.size());
 }
 
 }  // namespace boomwatch
