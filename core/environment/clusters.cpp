@@ -90,6 +90,7 @@ class CellJoiner {
  private:
   void joinAll() {
     for (const auto& row : m_grid.rows) joinWithin(row);
+    flatten();
     const std::uint64_t layer = m_grid.rowsPerLayer;
     // Half of the eight rows around a row; the other half find this one.
     for (const std::uint64_t step : {std::uint64_t{1}, layer, layer - 1, layer + 1}) {
@@ -97,9 +98,26 @@ class CellJoiner {
       for (const auto& row : m_grid.rows) {
         while (other != m_grid.rows.end() && other->key < row.key + step) ++other;
         if (other == m_grid.rows.end()) break;
-        if (other->key == row.key + step) joinRows(row, *other);
+        if (other->key == row.key + step && !joined(row, *other)) joinRows(row, *other);
       }
+      flatten();
     }
+  }
+
+  /// Lets every cell name its root, so that most pairs are told apart by one comparison.
+  void flatten() {
+    // In this order, because a parent never comes after its children.
+    for (std::uint32_t& parent : m_parent) parent = m_parent[parent];
+  }
+
+  /// All of the cells of both rows, as far as parents tell.
+  bool joined(const PointGrid::Row& row, const PointGrid::Row& other) const {
+    const std::uint32_t parent = m_parent[row.begin];
+    const auto same = [parent](std::uint32_t p) { return p == parent; };
+    const auto cells = m_parent.begin();
+    return m_parent[other.begin] == parent &&
+           std::all_of(cells + row.begin, cells + row.end, same) &&
+           std::all_of(cells + other.begin, cells + other.end, same);
   }
 
   void joinWithin(const PointGrid::Row& row) {
@@ -120,6 +138,7 @@ class CellJoiner {
   bool near(std::uint32_t a, std::uint32_t b) const { return columnOf(b) <= columnOf(a) + 2; }
 
   void join(std::uint32_t a, std::uint32_t b) {
+    if (m_parent[a] == m_parent[b]) return;
     const std::uint32_t rootA = rootOf(a);
     const std::uint32_t rootB = rootOf(b);
     if (rootA == rootB || !touch(pointsOf(a), pointsOf(b), m_limit)) return;
