@@ -1,5 +1,6 @@
 #include "environment/point_grid.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,53 +10,60 @@ namespace boomwatch {
 namespace {
 
 constexpr std::uint32_t margin = 2;
+constexpr double mostCells = 1U << 29;  ///< along an axis, so that four times as many fit 32 bits
 
-/// The cell of every point along one axis, from `margin` up to `count - margin`.
-struct AxisCells {
-  std::vector<std::uint32_t> cells;
-  std::uint64_t count = 0;
+/// Gives coordinates along one axis their cells, from `margin` up to `count - margin`.
+class Axis {
+ public:
+  Axis(std::span<const Eigen::Vector3f> points, int axis, float low, float high, double inverse)
+      : m_origin(low), m_inverse(inverse) {
+    const double span = (static_cast<double>(high) - low) * inverse;
+    if (span < mostCells) {
+      m_count = static_cast<std::uint64_t>(span) + 2 * margin + 1;
+    } else {
+      shrinkGaps(points, axis);
+    }
+  }
+
+  std::uint64_t count() const { return m_count; }
+
+  std::uint32_t cellOf(float coordinate) const {
+    if (m_used.empty()) {
+      return static_cast<std::uint32_t>((coordinate - m_origin) * m_inverse) + margin;
+    }
+    const auto found =
+        std::lower_bound(m_used.begin(), m_used.end(), std::floor(coordinate * m_inverse));
+    return m_numbers[static_cast<std::size_t>(found - m_used.begin())];
+  }
+
+ private:
+  /// For points that span more cells than a number holds: gaps wider than two cells shrink to
+  /// three. Cells are counted from zero here, not from the smallest coordinate: a far outlier must
+  /// not cost the others their precision.
+  void shrinkGaps(std::span<const Eigen::Vector3f> points, int axis) {
+    for (const auto& p : points) {
+      if (isMeasured(p)) m_used.push_back(std::floor(p[axis] * m_inverse));
+    }
+    std::sort(m_used.begin(), m_used.end());
+    m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
+    m_numbers.assign(m_used.size(), margin);
+    for (std::size_t k = 1; k < m_used.size(); ++k) {
+      const double gap = std::min(m_used[k] - m_used[k - 1], 3.0);
+      m_numbers[k] = m_numbers[k - 1] + static_cast<std::uint32_t>(gap);
+    }
+    m_count = m_numbers.back() + margin + 1ULL;
+  }
+
+  double m_origin;
+  double m_inverse;
+  std::uint64_t m_count = 0;
+  std::vector<double> m_used;            ///< cells that hold points, in order; empty unless shrunk
+  std::vector<std::uint32_t> m_numbers;  ///< what each of them is called
 };
-
-/// For points that span more cells than a number holds: gaps wider than two cells shrink to three.
-/// Cells are counted from the origin, not from the smallest coordinate: a far outlier must not cost
-/// the others their precision.
-AxisCells numberWideAxis(const Points& points, int axis, double inverse) {
-  std::vector<double> used(points.size());
-  std::transform(points.begin(), points.end(), used.begin(),
-                 [&](const auto& p) { return std::floor(p[axis] * inverse); });
-  const std::vector<double> cells = used;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<std::uint32_t> numbers(used.size(), margin);
-  for (std::size_t k = 1; k < used.size(); ++k) {
-    numbers[k] = numbers[k - 1] + static_cast<std::uint32_t>(std::min(used[k] - used[k - 1], 3.0));
-  }
-  AxisCells result{std::vector<std::uint32_t>(points.size()), numbers.back() + margin + 1ULL};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto found = std::lower_bound(used.begin(), used.end(), cells[i]);
-    result.cells[i] = numbers[static_cast<std::size_t>(found - used.begin())];
-  }
-  return result;
-}
-
-AxisCells numberAxis(const Points& points, int axis, double inverse) {
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(),
-                          [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-  const double origin = (*low)[axis];
-  const double span = ((*high)[axis] - origin) * inverse;
-  if (span >= 1U << 31) return numberWideAxis(points, axis, inverse);
-  AxisCells result{std::vector<std::uint32_t>(points.size()),
-                   static_cast<std::uint64_t>(span) + 2 * margin + 1};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result.cells[i] = static_cast<std::uint32_t>((points[i][axis] - origin) * inverse) + margin;
-  }
-  return result;
-}
 
 struct Item {
   std::uint64_t row;
-  std::uint32_t x;
+  std::uint32_t place;
   std::uint32_t point;
 };
 
@@ -63,39 +71,57 @@ struct Item {
 template <class Key>
 void radixSort(std::vector<Item>& items, std::vector<Item>& scratch, std::uint64_t largest,
                const Key& key) {
-  constexpr int digit = 11;
-  constexpr std::size_t values = 1U << digit;
-  for (int shift = 0; shift < static_cast<int>(std::bit_width(largest)); shift += digit) {
-    std::array<std::uint32_t, values> begin{};
-    for (const Item& item : items) ++begin[(key(item) >> shift) % values];
+  constexpr int widest = 13;  // bits of a digit whose counts still fit the first-level cache
+  const int bits = static_cast<int>(std::bit_width(largest));
+  const int passes = (bits + widest - 1) / widest;
+  for (int pass = 0; pass < passes; ++pass) {
+    const int shift = pass * bits / passes;
+    const int width = (pass + 1) * bits / passes - shift;
+    const std::uint64_t mask = (1U << width) - 1;
+    std::array<std::uint32_t, 1U << widest> begin{};
+    for (const Item& item : items) ++begin[(key(item) >> shift) & mask];
     std::uint32_t sum = 0;
     for (std::uint32_t& slot : begin) sum += std::exchange(slot, sum);
-    for (const Item& item : items) scratch[begin[(key(item) >> shift) % values]++] = item;
+    for (const Item& item : items) scratch[begin[(key(item) >> shift) & mask]++] = item;
     items.swap(scratch);
   }
 }
 
-std::vector<Item> sortedItems(const Points& points, double side, std::uint64_t& rowsPerLayer) {
+std::vector<Item> sortedItems(std::span<const Eigen::Vector3f> points, double side,
+                              std::uint64_t& rowsPerLayer) {
+  Eigen::AlignedBox3f box;
+  std::size_t measured = 0;
+  for (const auto& p : points) {
+    if (!isMeasured(p)) continue;
+    box.extend(p);
+    ++measured;
+  }
+  std::vector<Item> items;
+  if (measured == 0) return items;
+  items.reserve(measured);
   const double inverse = 1.0 / side;
-  const AxisCells x = numberAxis(points, 0, inverse);
-  const AxisCells y = numberAxis(points, 1, inverse);
-  const AxisCells z = numberAxis(points, 2, inverse);
-  rowsPerLayer = y.count;
-  std::vector<Item> items(points.size());
+  const Axis x(points, 0, box.min().x(), box.max().x(), inverse);
+  const Axis y(points, 1, box.min().y(), box.max().y(), inverse);
+  const Axis z(points, 2, box.min().z(), box.max().z(), inverse);
+  rowsPerLayer = y.count() / 2 + 1;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    items[i] = {z.cells[i] * y.count + y.cells[i], x.cells[i], static_cast<std::uint32_t>(i)};
+    if (!isMeasured(points[i])) continue;
+    const std::uint32_t column = x.cellOf(points[i].x());
+    const std::uint32_t line = y.cellOf(points[i].y());
+    const std::uint32_t layer = z.cellOf(points[i].z());
+    items.push_back({layer / 2 * rowsPerLayer + line / 2, 4 * column + 2 * (layer % 2) + line % 2,
+                     static_cast<std::uint32_t>(i)});
   }
   std::vector<Item> scratch(items.size());
-  radixSort(items, scratch, x.count, [](const Item& item) { return item.x; });
-  radixSort(items, scratch, z.count * y.count, [](const Item& item) { return item.row; });
+  radixSort(items, scratch, 4 * x.count(), [](const Item& item) { return item.place; });
+  radixSort(items, scratch, z.count() * rowsPerLayer, [](const Item& item) { return item.row; });
   return items;
 }
 
 }  // namespace
 
-PointGrid sortIntoCells(const Points& points, double side) {
+PointGrid sortIntoCells(std::span<const Eigen::Vector3f> points, double side) {
   PointGrid grid;
-  if (points.empty()) return grid;
   const std::vector<Item> items = sortedItems(points, side, grid.rowsPerLayer);
   grid.points.resize(items.size());
   grid.order.resize(items.size());
@@ -106,8 +132,8 @@ PointGrid sortIntoCells(const Points& points, double side) {
     const bool newRow = grid.rows.empty() || grid.rows.back().key != item.row;
     const auto cell = static_cast<std::uint32_t>(grid.cells.size());
     if (newRow) grid.rows.push_back({item.row, cell, cell});
-    if (newRow || grid.cells.back().x != item.x) {
-      grid.cells.push_back({item.x, k, k});
+    if (newRow || grid.cells.back().place != item.place) {
+      grid.cells.push_back({item.place, k, k});
       grid.rows.back().end = cell + 1;
     }
     grid.cells.back().end = k + 1;

@@ -1,6 +1,7 @@
 #include "environment/static_scene.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "environment/clusters.h"
 #include "environment/low_pass.h"
@@ -92,19 +93,18 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
   Points points;
   crop(cloud, bounds, points, scene.beyond);
 
-  std::optional<Vector3f> toolPoint = tool;
-  if (filter.zReprojection) {
-    const auto z = static_cast<float>(*filter.zReprojection);
-    for (Vector3f& p : points) p.z() = z;
-    if (toolPoint) toolPoint->z() = z;
-  }
+  const auto reprojected = [&](Vector3f p) {
+    if (filter.zReprojection) p.z() = static_cast<float>(*filter.zReprojection);
+    return p;
+  };
+  std::transform(points.begin(), points.end(), points.begin(), reprojected);
   const Eigen::Vector3d corner(bounds.xMin, bounds.yMin, bounds.zMin);
   points = voxelCentroids(points, parameters.model.resolution, corner.cast<float>());
   const std::size_t downsampled = points.size();
   if (filter.lowPass) points = withoutOutliers(points, filter);
 
   const Clusters clusters = euclideanClusters(points, static_cast<float>(filter.clusterTolerance));
-  if (toolPoint) maskTool(scene, points, clusters, *toolPoint, parameters);
+  if (tool) maskTool(scene, points, clusters, reprojected(*tool), parameters);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (clusters.sizes[static_cast<std::size_t>(clusters.labels[i])] < filter.clusterMinimum)
       continue;
