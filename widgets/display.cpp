@@ -57,8 +57,7 @@ QImage probabilityImage(const EnvironmentModel& model, const ModelParameters& pa
   const auto full = static_cast<float>(highestProbability(parameters));
   return mapImage(model, colouring, [full](float probability, std::uint8_t) {
     const float share = std::clamp(probability / full, 0.0F, 1.0F);
-    return static_cast<std::uint8_t>(
-        std::lround(freeBrightness + share * static_cast<float>(255 - freeBrightness)));
+    return static_cast<std::uint8_t>(freeBrightness + share * (255 - freeBrightness) + 0.5F);
   });
 }
 

@@ -119,12 +119,27 @@ void drawNumber(QPainter& painter, const QRectF& area, const QString& text, cons
   painter.setFont(font);
   painter.setPen(theme.text);
   painter.drawText(area.adjusted(0, 0, -unit, 0), Qt::AlignRight | Qt::AlignVCenter, text);
+  if (!text.back().isDigit()) return;
   font.setPixelSize(20);
   font.setBold(false);
   painter.setFont(font);
   painter.setPen(theme.mutedText);
   painter.drawText(area.adjusted(0, 0, 0, -area.height() * 0.16), Qt::AlignRight | Qt::AlignBottom,
                    DistanceBar::tr("m"));
+}
+
+/// Smaller where a language needs more room: a reason must never be cut short.
+void drawHint(QPainter& painter, const QRectF& area, const QString& text, const Theme& theme) {
+  constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  QFont font = painter.font();
+  font.setBold(false);
+  for (int pixels = 13; pixels >= 9; --pixels) {
+    font.setPixelSize(pixels);
+    if (area.contains(QFontMetricsF(font).boundingRect(area, flags, text))) break;
+  }
+  painter.setFont(font);
+  painter.setPen(theme.mutedText);
+  painter.drawText(area, flags, text);
 }
 
 /// The finest of 1, 2, 5 x 10^n that divides `span` into at most five.
@@ -260,11 +275,7 @@ void DistanceBar::paintEvent(QPaintEvent*) {
   const Layout layout((QSizeF(size())));
   drawLevel(painter, layout.level, level(), theme);
   drawNumber(painter, layout.number, numberText(), theme);
-  QFont small = font();
-  small.setPixelSize(13);
-  painter.setFont(small);
-  painter.setPen(theme.mutedText);
-  painter.drawText(layout.hint, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, hintText());
+  drawHint(painter, layout.hint, hintText(), theme);
   QPainterPath shape;
   shape.addRoundedRect(layout.bar, 4, 4);
   const auto share = fill();

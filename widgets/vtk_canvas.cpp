@@ -79,7 +79,11 @@ VtkCanvas::VtkCanvas(QWidget* parent) : QOpenGLWidget(parent), m_scene(themeOf(T
   connect(&m_settle, &QTimer::timeout, this, &VtkCanvas::drawAll);
 }
 
-VtkCanvas::~VtkCanvas() { releaseGl(); }
+VtkCanvas::~VtkCanvas() {
+  releaseGl();
+  // QOpenGLWidget destroys the context after this part of the object is gone.
+  if (context()) disconnect(context(), nullptr, this, nullptr);
+}
 
 void VtkCanvas::setDisplay(const DisplayPtr& display) {
   m_scene.setPointLimit(m_liveLimit);
