@@ -9,10 +9,6 @@ namespace {
 
 using Rgba = DrawnCloud::Rgba;
 
-/// One point in this many is drawn while the view moves. Prime, so that it does not fall into step
-/// with the usual picture widths and draw stripes.
-constexpr std::size_t previewStep = 11;
-
 QImage cameraImage(const cv::Mat& image) {
   if (image.empty()) return {};
   QImage::Format format = QImage::Format_Invalid;
@@ -133,10 +129,12 @@ DrawnCloud drawnCloud(const Result& result, CloudColouring by) {
     drawn.points.push_back(p);
     drawn.colours.push_back(colour(k, p));
   };
-  for (std::size_t k = 0; k < points.size(); k += previewStep) add(k);
-  drawn.previewCount = drawn.points.size();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (k % previewStep != 0) add(k);
+  // A prime number of layers does not fall into step with the usual picture widths; going through
+  // them in strides of five spreads the first few.
+  constexpr std::size_t layers = DrawnCloud::layerCount;
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    for (std::size_t k = layer * 5 % layers; k < points.size(); k += layers) add(k);
+    drawn.layerEnds[layer] = drawn.points.size();
   }
   return drawn;
 }

@@ -37,13 +37,15 @@ struct PinholeProjection {
   }
 };
 
-/// The measured points inside the bounds, without gaps: what the cloud view draws. The first
-/// `previewCount` of them are an even sample of all, for drawing while the view is moved.
+/// The measured points inside the bounds, without gaps: what the cloud view draws. They lie in
+/// layers, each an even sample of all, so that the first few layers can stand for the whole where
+/// there is no time to draw it.
 struct DrawnCloud {
+  static constexpr std::size_t layerCount = 13;
   using Rgba = std::array<std::uint8_t, 4>;
-  std::vector<Eigen::Vector3f> points;  ///< camera frame, metres; all finite
-  std::vector<Rgba> colours;            ///< one a point, opaque
-  std::size_t previewCount = 0;
+  std::vector<Eigen::Vector3f> points;              ///< camera frame, metres; all finite
+  std::vector<Rgba> colours;                        ///< one a point, opaque
+  std::array<std::size_t, layerCount> layerEnds{};  ///< points in this layer and those before it
 };
 
 /// A result made ready to be drawn. Made on the worker thread, so that the GUI thread never
@@ -75,7 +77,7 @@ std::array<DrawnCloud::Rgba, 256> colourTable(MapColouring colouring);
 /// Indices into colourTable. An observed cell with nothing in it is darker than every depth.
 inline constexpr std::uint8_t freeBrightness = 20;
 inline constexpr std::uint8_t farthestBrightness = 64;  ///< of an occupied cell
-inline constexpr std::uint8_t darkestPointColour = 50;  ///< of a point of the cloud
+inline constexpr std::uint8_t darkestPointColour = 70;  ///< of a point of the cloud
 
 /// The colour of a depth level 1..255: nearer is brighter.
 std::uint8_t brightnessOfLevel(std::uint8_t level);

@@ -240,7 +240,7 @@ QString DistanceBar::hintText() const {
     // Rounded down: everything was seen only when everything was seen.
     const int percent = static_cast<int>(std::floor(*share * 100.0 + 1e-9));
     lines << (percent >= 100 ? tr("all around it was seen")
-                             : tr("%1 % around it never seen,\nmay be nearer").arg(100 - percent));
+                             : tr("%1 % around it never seen: may be nearer").arg(100 - percent));
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -52,8 +52,8 @@ Theme themeOf(ThemeKind kind) {
   theme.warning = dark ? QColor(0xff9a3c) : QColor(0xb04a00);
   theme.collision = dark ? QColor(0xff5548) : QColor(0xc21f14);
   theme.bar = QColor(0xe0362b);
-  theme.hatchLight = QColor(0x5a6675);
-  theme.hatchDark = QColor(0x39424d);
+  theme.hatchLight = QColor(0x53606f);
+  theme.hatchDark = QColor(0x22282f);
   return theme;
 }
 

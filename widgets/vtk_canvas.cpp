@@ -10,15 +10,23 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QWheelEvent>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace boomwatch {
 namespace {
 
 constexpr double degreesPerPixel = 0.4;
 constexpr double zoomStep = 1.15;
-constexpr auto settleTime = std::chrono::milliseconds(200);
+constexpr auto settleTime = std::chrono::milliseconds(250);
+
+/// Of one drawing while others wait: slower, and there will be fewer points; faster, and more.
+constexpr auto slowest = std::chrono::milliseconds(40);
+constexpr auto fastest = std::chrono::milliseconds(16);
+constexpr std::size_t fewestPoints = 1U << 15;
+constexpr std::size_t everyPoint = std::numeric_limits<std::size_t>::max();
 
 /// What VTK needs. No alpha: Qt would blend the view with what lies behind the window.
 QSurfaceFormat surfaceFormat() {
@@ -68,22 +76,20 @@ VtkCanvas::VtkCanvas(QWidget* parent) : QOpenGLWidget(parent), m_scene(themeOf(T
   setAccessibleName(tr("Point cloud"));
   m_settle.setSingleShot(true);
   m_settle.setInterval(settleTime);
-  connect(&m_settle, &QTimer::timeout, this, [this] {
-    m_scene.setPreview(false);
-    update();
-  });
+  connect(&m_settle, &QTimer::timeout, this, &VtkCanvas::drawAll);
 }
 
 VtkCanvas::~VtkCanvas() { releaseGl(); }
 
 void VtkCanvas::setDisplay(const DisplayPtr& display) {
+  m_scene.setPointLimit(m_liveLimit);
   m_scene.setDisplay(display);
-  update();
+  drawLive();
 }
 
 void VtkCanvas::resetView() {
-  m_scene.resetView();
-  update();
+  m_scene.resetView(aspect());
+  drawLive();
 }
 
 void VtkCanvas::initializeGL() {
@@ -97,6 +103,8 @@ void VtkCanvas::initializeGL() {
   m_window->SetIsCurrent(true);
   m_window->SetSupportsOpenGL(true);
   m_window->SetIsDirect(true);
+  // A core profile draws thin lines only, whatever it claims; VTK then widens them itself.
+  m_window->SetForceMaximumHardwareLineWidth(1.0F);
   m_window->AddRenderer(m_scene.renderer());
   m_window->OpenGLInitContext();
   m_window->SetFrameBlitModeToBlitToCurrent();
@@ -116,10 +124,12 @@ void VtkCanvas::resizeGL(int width, int height) {
   const double ratio = devicePixelRatioF();
   m_window->SetSize(static_cast<int>(std::lround(width * ratio)),
                     static_cast<int>(std::lround(height * ratio)));
+  m_scene.keepBoundsInView(aspect());
 }
 
 void VtkCanvas::paintGL() {
   if (!m_window) return;
+  const auto start = std::chrono::steady_clock::now();
   m_scene.renderer()->ResetCameraClippingRange();
   vtkOpenGLState* state = m_window->GetState();
   state->Reset();
@@ -134,13 +144,29 @@ void VtkCanvas::paintGL() {
   gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  // Without this the clock would stop before the drawing does.
+  gl->glFinish();
+  adapt(std::chrono::steady_clock::now() - start);
 }
 
-void VtkCanvas::moved() {
-  m_scene.setPreview(true);
+void VtkCanvas::drawLive() {
+  m_scene.setPointLimit(m_liveLimit);
   m_settle.start();
   update();
 }
+
+void VtkCanvas::drawAll() {
+  m_scene.setPointLimit(everyPoint);
+  update();
+}
+
+void VtkCanvas::adapt(std::chrono::nanoseconds taken) {
+  if (m_scene.pointLimit() != m_liveLimit) return;
+  if (taken > slowest) m_liveLimit = std::max(m_liveLimit / 2, fewestPoints);
+  if (taken < fastest && !m_scene.everyPointDrawn()) m_liveLimit *= 2;
+}
+
+double VtkCanvas::aspect() const { return static_cast<double>(width()) / std::max(1, height()); }
 
 void VtkCanvas::mousePressEvent(QMouseEvent* event) { m_last = event->position(); }
 
@@ -158,15 +184,13 @@ void VtkCanvas::mouseMoveEvent(QMouseEvent* event) {
   } else {
     return;
   }
-  moved();
+  drawLive();
 }
-
-void VtkCanvas::mouseReleaseEvent(QMouseEvent*) { m_settle.start(); }
 
 void VtkCanvas::wheelEvent(QWheelEvent* event) {
   m_scene.zoom(std::pow(zoomStep, event->angleDelta().y() / 120.0));
   event->accept();
-  moved();
+  drawLive();
 }
 
 void VtkCanvas::keyPressEvent(QKeyEvent* event) {
@@ -196,7 +220,7 @@ void VtkCanvas::keyPressEvent(QKeyEvent* event) {
     default:
       return QWidget::keyPressEvent(event);
   }
-  moved();
+  drawLive();
 }
 
 }  // namespace boomwatch

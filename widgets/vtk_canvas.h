@@ -4,6 +4,8 @@
 #include <vtkSmartPointer.h>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <chrono>
+#include <cstddef>
 
 #include "vtk_scene.h"
 
@@ -14,8 +16,9 @@ namespace boomwatch {
 QString whyNoOpenGl();
 
 /// A VtkScene in Qt's own frame buffer. Draws when there is a new display or the view moves, never
-/// otherwise; and only a preview while it moves, so that it follows the hand without a graphics
-/// card. GUI thread.
+/// otherwise. While frames or the hand keep coming it draws only as many points as this machine
+/// draws in time, so that the window answers without a graphics card; all of them once it is still.
+/// GUI thread.
 class VtkCanvas : public QOpenGLWidget {
   Q_OBJECT
 
@@ -34,18 +37,22 @@ class VtkCanvas : public QOpenGLWidget {
   void paintGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void releaseGl();
-  void moved();
+  /// Draws soon and in time; everything, a little later.
+  void drawLive();
+  void drawAll();
+  void adapt(std::chrono::nanoseconds taken);
+  double aspect() const;
 
   VtkScene m_scene;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> m_window;
   QPointF m_last;
-  QTimer m_settle;  ///< after the last movement, everything is drawn again
+  QTimer m_settle;                   ///< from the last change until everything is drawn
+  std::size_t m_liveLimit = 131072;  ///< points that are drawn in time, as far as is known
 };
 
 }  // namespace boomwatch

@@ -83,13 +83,14 @@ VtkScene::VtkScene(const Theme& theme)
       m_renderer(vtkSmartPointer<vtkRenderer>::New()) {
   m_removed.setColour(theme.removed);
   m_nearestPoint.setColour(theme.nearest);
+  m_nearestPoint.actor()->GetProperty()->RenderPointsAsSpheresOn();
   m_renderer->SetBackground(theme.canvas.redF(), theme.canvas.greenF(), theme.canvas.blueF());
   m_renderer->GetActiveCamera()->SetViewAngle(viewAngle);
   for (vtkActor* actor : {m_boundsBox.Get(), m_cloud.actor(), m_removed.actor(), m_loadBox.Get(),
                           m_nearestLine.Get(), m_nearestPoint.actor()}) {
     m_renderer->AddActor(actor);
   }
-  resetView();
+  resetView(m_aspect);
 }
 
 void VtkScene::setDisplay(const DisplayPtr& display) {
@@ -101,7 +102,7 @@ void VtkScene::setDisplay(const DisplayPtr& display) {
     const bool moved = !(m_bounds == m_display->result->parameters.bounds);
     m_bounds = m_display->result->parameters.bounds;
     m_removed.show(m_display->result->scene.removed, {});
-    if (moved && !m_viewMoved) resetView();
+    if (moved) keepBoundsInView(m_aspect);
   } else {
     m_removed.clear();
   }
@@ -109,17 +110,23 @@ void VtkScene::setDisplay(const DisplayPtr& display) {
   showNearest();
 }
 
-void VtkScene::setPreview(bool on) {
-  if (on == m_preview) return;
-  m_preview = on;
+void VtkScene::setPointLimit(std::size_t limit) {
+  if (limit == m_pointLimit) return;
+  m_pointLimit = limit;
   showCloud();
 }
 
 void VtkScene::showCloud() {
   if (!m_display) return m_cloud.clear();
   const DrawnCloud& cloud = m_display->cloud;
-  const std::size_t count = m_preview ? cloud.previewCount : cloud.points.size();
-  m_cloud.setPointSize(m_preview ? 4.0 : 2.0);
+  std::size_t count = cloud.layerEnds.front();
+  for (const std::size_t end : cloud.layerEnds) {
+    if (end <= m_pointLimit) count = end;
+  }
+  m_everyPointDrawn = count == cloud.points.size();
+  // Fewer points are drawn larger, so that a surface still looks like one.
+  const double share = static_cast<double>(count) / static_cast<double>(cloud.points.size() + 1);
+  m_cloud.setPointSize(share > 0.6 ? 2.0 : share > 0.2 ? 3.0 : 4.0);
   m_cloud.show(std::span(cloud.points).first(count), std::span(cloud.colours).first(count));
 }
 
@@ -142,17 +149,35 @@ void VtkScene::showNearest() {
   showLines(m_nearestLine, {nearest.onLoad, nearest.onEnvironment});
 }
 
-void VtkScene::resetView() {
+void VtkScene::resetView(double aspect) {
+  m_aspect = aspect;
+  m_viewMoved = false;
   const OrientedBox box = boxOf(m_bounds);
-  const double distance = box.size.norm() / 2 / std::sin(viewAngle / 2 * M_PI / 180.0);
   // From behind the camera and a little above it and to its left, so that depth can be told.
-  const Eigen::Vector3d way = Eigen::Vector3d(-0.35, -0.4, -1.0).normalized();
-  const Eigen::Vector3d eye = box.centre + distance * way;
+  const Eigen::Vector3d ahead = Eigen::Vector3d(0.35, 0.4, 1.0).normalized();
+  const Eigen::Vector3d side = ahead.cross(worldUp).normalized();
+  const Eigen::Vector3d up = side.cross(ahead);
+  const double slope = std::tan(viewAngle / 2 * M_PI / 180.0);
+  double distance = 0.0;
+  for (const Eigen::Vector3d& corner : box.corners()) {
+    const Eigen::Vector3d c = corner - box.centre;
+    const double needed =
+        std::max(std::abs(c.dot(side)) / (slope * aspect), std::abs(c.dot(up)) / slope);
+    distance = std::max(distance, needed - c.dot(ahead));
+  }
+  const Eigen::Vector3d eye = box.centre - 1.08 * distance * ahead;
   vtkCamera* camera = m_renderer->GetActiveCamera();
   camera->SetFocalPoint(box.centre.data());
   camera->SetPosition(eye.data());
   camera->SetViewUp(worldUp.data());
-  m_viewMoved = false;
+}
+
+void VtkScene::keepBoundsInView(double aspect) {
+  if (m_viewMoved) {
+    m_aspect = aspect;
+  } else {
+    resetView(aspect);
+  }
 }
 
 void VtkScene::orbit(double azimuth, double elevation) {

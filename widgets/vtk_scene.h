@@ -3,6 +3,7 @@
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <limits>
 
 #include "display.h"
 #include "theme.h"
@@ -20,10 +21,15 @@ class VtkScene {
 
   /// Null clears. Keeps `display` alive, whose arrays VTK draws.
   void setDisplay(const DisplayPtr& display);
-  /// While on, only the preview of the cloud is drawn.
-  void setPreview(bool on);
+  /// Draws no more points of the cloud than this, but at least one of its layers.
+  void setPointLimit(std::size_t limit);
+  std::size_t pointLimit() const { return m_pointLimit; }
+  bool everyPointDrawn() const { return m_everyPointDrawn; }
 
-  void resetView();
+  /// Looks at the whole of the bounds; `aspect` is the view's width over its height.
+  void resetView(double aspect);
+  /// resetView, unless a person has turned the view since.
+  void keepBoundsInView(double aspect);
   /// Turns about the focal point; degrees. Never tips over the poles.
   void orbit(double azimuth, double elevation);
   /// Moves with the hand: pixels of a view that is `viewHeight` pixels high.
@@ -36,12 +42,14 @@ class VtkScene {
   void showNearest();
 
   DisplayPtr m_display;
-  bool m_preview = false;
+  std::size_t m_pointLimit = std::numeric_limits<std::size_t>::max();
+  bool m_everyPointDrawn = true;
+  double m_aspect = 1.5;
   bool m_viewMoved = false;  ///< by a person: then new bounds leave it alone
   Bounds m_bounds;
   VtkPointSet m_cloud{2.0};
   VtkPointSet m_removed{4.0};
-  VtkPointSet m_nearestPoint{14.0};
+  VtkPointSet m_nearestPoint{12.0};
   vtkSmartPointer<vtkActor> m_boundsBox;
   vtkSmartPointer<vtkActor> m_loadBox;
   vtkSmartPointer<vtkActor> m_nearestLine;
