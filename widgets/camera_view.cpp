@@ -3,7 +3,9 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "marks.h"
 
@@ -91,17 +93,16 @@ void CameraView::drawLoad(QPainter& painter) const {
   const auto& load = m_display->result->load;
   if (!load || !m_display->projection) return;
   const auto corners = load->corners();
-  const Theme theme = themeFor(palette());
+  const auto& project = *m_display->projection;
+  QList<QLineF> edges;
   for (unsigned k = 0; k < 8; ++k) {
     for (const unsigned axis : {1U, 2U, 4U}) {
       if (k & axis) continue;
       const auto edge = clipped(corners[k], corners[k | axis]);
-      if (!edge) continue;
-      const auto& project = *m_display->projection;
-      drawMarkedLine(painter, {toWidget(project(edge->first)), toWidget(project(edge->second))},
-                     theme.load, 2.0);
+      if (edge) edges << QLineF(toWidget(project(edge->first)), toWidget(project(edge->second)));
     }
   }
+  drawMarkedLines(painter, edges, themeFor(palette()).load, 2.0);
 }
 
 void CameraView::drawNearest(QPainter& painter) const {

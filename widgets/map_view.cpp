@@ -183,7 +183,7 @@ void MapView::drawOverlay(QPainter& painter) const {
   const Result& result = *m_display->result;
   const Theme theme = themeFor(palette());
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(theme.rays, 1.0));
+  painter.setPen(QPen(theme.rays, 1.5));
   for (const SearchRay& ray : result.clearance.rays) {
     painter.drawLine(positionOf(ray.from.x(), ray.from.y()), positionOf(ray.to.x(), ray.to.y()));
   }

@@ -11,11 +11,12 @@ QPen pen(const QColor& colour, double width) {
 
 }  // namespace
 
-void drawMarkedLine(QPainter& painter, const QLineF& line, const QColor& colour, double width) {
+void drawMarkedLines(QPainter& painter, const QList<QLineF>& lines, const QColor& colour,
+                     double width) {
   painter.setPen(pen(edge, width + 2.0));
-  painter.drawLine(line);
+  painter.drawLines(lines);
   painter.setPen(pen(colour, width));
-  painter.drawLine(line);
+  painter.drawLines(lines);
 }
 
 void drawMarkedPolygon(QPainter& painter, const QPolygonF& polygon, const QColor& colour) {
@@ -28,7 +29,7 @@ void drawMarkedPolygon(QPainter& painter, const QPolygonF& polygon, const QColor
 
 void drawNearestPair(QPainter& painter, const QPointF& onLoad, const QPointF& onEnvironment,
                      const Theme& theme) {
-  drawMarkedLine(painter, {onLoad, onEnvironment}, theme.nearest, 1.5);
+  drawMarkedLines(painter, {QLineF(onLoad, onEnvironment)}, theme.nearest, 1.5);
   const QRectF square(onLoad - QPointF(3, 3), QSizeF(6, 6));
   painter.setPen(pen(edge, 1.5));
   painter.setBrush(theme.load);

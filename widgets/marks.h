@@ -10,8 +10,9 @@ namespace boomwatch {
 /// Marks drawn over pictures and maps: each has a shape of its own besides its colour, and a dark
 /// edge that keeps it visible on any ground. Widget coordinates.
 
-/// A line with a dark edge.
-void drawMarkedLine(QPainter& painter, const QLineF& line, const QColor& colour, double width);
+/// Lines with a dark edge; no edge covers another line.
+void drawMarkedLines(QPainter& painter, const QList<QLineF>& lines, const QColor& colour,
+                     double width);
 void drawMarkedPolygon(QPainter& painter, const QPolygonF& polygon, const QColor& colour);
 
 /// Both ends of the shortest line: a square on the load, a ring with a cross on the environment.
