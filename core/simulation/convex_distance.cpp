@@ -1,6 +1,7 @@
 #include "simulation/convex_distance.h"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
 #include <vector>
 
 namespace boomwatch {
@@ -39,16 +40,17 @@ class Simplex {
 
   /// The weights, of sum 1, of the point of the affine hull that is nearest to the origin.
   Eigen::VectorXd affineWeights() const {
-    const auto n = static_cast<Eigen::Index>(size());
-    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 1, n + 1);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < n; ++j) {
-        system(i, j) =
-            m_points[static_cast<std::size_t>(i)].dot(m_points[static_cast<std::size_t>(j)]);
-      }
-      system(i, n) = system(n, i) = 1.0;
+    const auto edges = static_cast<Eigen::Index>(size()) - 1;
+    // Edges rather than the points' Gram matrix, which loses half of the digits where the bodies
+    // almost touch.
+    Eigen::Matrix3Xd matrix(3, edges);
+    for (Eigen::Index k = 0; k < edges; ++k) {
+      matrix.col(k) = m_points[static_cast<std::size_t>(k) + 1] - m_points[0];
     }
-    return system.fullPivLu().solve(Eigen::VectorXd::Unit(n + 1, n)).head(n);
+    Eigen::VectorXd weights(edges + 1);
+    weights.tail(edges) = matrix.colPivHouseholderQr().solve(-m_points[0]);
+    weights[0] = 1.0 - weights.tail(edges).sum();
+    return weights;
   }
 
   /// Goes from the present weights towards `affine` until one is 0, and drops what has none.
@@ -58,7 +60,8 @@ class Simplex {
     for (std::size_t k = 0; k < size(); ++k) {
       const double target = affine[static_cast<Eigen::Index>(k)];
       if (target > negligible) continue;
-      const double fraction = m_weights[k] / std::max(m_weights[k] - target, negligible);
+      const double fraction =
+          std::min(1.0, m_weights[k] / std::max(m_weights[k] - target, negligible));
       if (fraction <= step) {
         step = fraction;
         leaves = k;

@@ -171,13 +171,21 @@ class TestDemoSource : public QObject {
     QVERIFY(apart > 100 && apart < 290);
   }
 
-  void parallelBoxesAreExact() {
-    for (int k = 0; k < 100; ++k) {
-      const OrientedBox a{{0, 0, 0}, {2, 1, 1}, Eigen::Matrix3d::Identity()};
-      const double x = -3.0 + 0.06 * k;
-      const OrientedBox b{{x, 1.5, 1.25}, {1, 1, 1}, Eigen::Matrix3d::Identity()};
-      const double wanted = Vector3d(std::max(0.0, std::abs(x) - 1.5), 0.5, 0.25).norm();
-      QVERIFY(std::abs(distance(a, b) - wanted) < 1e-5);
+  // Coordinates in steps of a quarter make bodies that touch, are parallel, or are flat.
+  void tiesAndFlatBodiesAreExact() {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int> step(-8, 8);
+    const auto q = [&] { return step(random) / 4.0; };
+    const auto randomBox = [&]() -> OrientedBox {
+      return {{q(), q(), q()}, Vector3d(q(), q(), q()).cwiseAbs(), Eigen::Matrix3d::Identity()};
+    };
+    const Cylinder cylinder{Vector3d::Zero(), Vector3d::UnitY(), 2.0, 0.5};
+    for (int k = 0; k < 20000; ++k) {
+      const OrientedBox a = randomBox(), b = randomBox();
+      const Vector3d gap = ((a.centre - b.centre).cwiseAbs() - (a.size + b.size) / 2).cwiseMax(0.0);
+      QVERIFY(std::abs(distance(a, b) - gap.norm()) < 2e-6);
+      const OrientedBox point{a.centre, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+      QVERIFY(std::abs(distance(point, cylinder) - cylinder.distanceTo(a.centre)) < 2e-6);
     }
   }
 
