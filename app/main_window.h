@@ -75,9 +75,7 @@ class MainWindow : public QMainWindow {
   void applyColours();
   void chooseTheme();
   void resetLayout();
-  bool playing() const {
-    return m_status.player && m_status.player->state == PlayState::Playing;
-  }
+  bool playing() const { return m_status.player && m_status.player->state == PlayState::Playing; }
 
   Worker* m_worker;
   std::unique_ptr<QSettings> m_settings;

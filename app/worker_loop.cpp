@@ -145,8 +145,7 @@ void WorkerLoop::take(const ReadResult& read) {
       process(read.frame);
       break;
     case ReadResult::Status::Bad:
-      tell(Notice::Kind::Frame, read.message);
-      publishNoFrame(Reason::UnreadableFrame);
+      publishNoFrame(Reason::UnreadableFrame, read.message);
       countFrame();
       break;
     case ReadResult::Status::Stalled:
@@ -171,16 +170,19 @@ void WorkerLoop::process(const FramePtr& frame) {
     if (!result->model) {
       result->model = std::make_shared<const EnvironmentModel>(m_pipeline.model());
     }
+    if (!result->message.empty()) tell(Notice::Kind::Frame, result->message);
     publish(std::move(result));
   } catch (const std::exception& error) {
-    tell(Notice::Kind::Frame, error.what());
-    publishNoFrame(Reason::UnreadableFrame);
+    publishNoFrame(Reason::UnreadableFrame, error.what());
   }
   countFrame();
 }
 
-void WorkerLoop::publishNoFrame(Reason reason) {
-  publish(std::make_shared<Result>(noFrameResult(reason, m_parameters)));
+void WorkerLoop::publishNoFrame(Reason reason, const std::string& message) {
+  auto result = std::make_shared<Result>(noFrameResult(reason, m_parameters));
+  result->message = message;
+  if (reason == Reason::UnreadableFrame) tell(Notice::Kind::Frame, message);
+  publish(std::move(result));
 }
 
 void WorkerLoop::checkAge() {

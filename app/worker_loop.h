@@ -47,7 +47,7 @@ class WorkerLoop {
   void advance();
   void take(const ReadResult& read);
   void process(const FramePtr& frame);
-  void publishNoFrame(Reason reason);
+  void publishNoFrame(Reason reason, const std::string& message = {});
   void checkAge();
   void countFrame();
   void publish(ResultPtr result);

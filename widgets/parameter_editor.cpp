@@ -16,6 +16,11 @@ QString fromView(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+// Units that are words; the others are the same everywhere.
+[[maybe_unused]] constexpr const char* wordUnits[] = {QT_TRANSLATE_NOOP("Parameters", "cells"),
+                                                      QT_TRANSLATE_NOOP("Parameters", "points"),
+                                                      QT_TRANSLATE_NOOP("Parameters", "frames")};
+
 QString unitSuffix(const ParameterInfo& info) {
   return *info.unit ? QStringLiteral(" ") + parameterText(info.unit) : QString();
 }
