@@ -1,0 +1,95 @@
+#include "environment/voxel_grid.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Vector3f;
+
+/// std::floor without the call that it is on a processor before SSE 4.1.
+inline float floorOf(float value) {
+  constexpr float allWhole = 8388608.0F;  // 2^23: from here on a float has no fraction
+  if (!(std::abs(value) < allWhole)) return value;
+  const auto whole = static_cast<float>(static_cast<int>(value));
+  return whole > value ? whole - 1.0F : whole;
+}
+
+struct Voxel {
+  Vector3f cell;  ///< whole numbers, as floats: they hold any coordinate that a float holds
+  std::uint32_t count = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+};
+
+/// Finds voxels by their cell: a hash table with open addressing over a list.
+class VoxelTable {
+ public:
+  VoxelTable() : m_slots(1U << 12, empty) {}
+
+  Voxel& at(const Vector3f& cell) {
+    // Neighbouring pixels mostly lie in the same voxel.
+    if (!m_voxels.empty() && m_voxels[m_last].cell == cell) return m_voxels[m_last];
+    std::size_t slot = slotOf(cell);
+    if (m_slots[slot] == empty) {
+      if (2 * m_voxels.size() >= m_slots.size()) {
+        grow();
+        slot = slotOf(cell);
+      }
+      m_slots[slot] = static_cast<std::uint32_t>(m_voxels.size());
+      m_voxels.push_back({cell});
+    }
+    m_last = m_slots[slot];
+    return m_voxels[m_last];
+  }
+
+  const std::vector<Voxel>& voxels() const { return m_voxels; }
+
+ private:
+  static constexpr std::uint32_t empty = 0xFFFFFFFF;
+
+  /// Where the cell is, or the empty slot where it belongs.
+  std::size_t slotOf(const Vector3f& cell) const {
+    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio: spreads the bits
+    std::uint64_t hash = std::bit_cast<std::uint32_t>(cell.x());
+    hash = hash * golden + std::bit_cast<std::uint32_t>(cell.y());
+    hash = (hash ^ (hash >> 32)) * golden + std::bit_cast<std::uint32_t>(cell.z());
+    hash = (hash ^ (hash >> 32)) * golden;
+    std::size_t slot = (hash >> 32) & (m_slots.size() - 1);
+    while (m_slots[slot] != empty && m_voxels[m_slots[slot]].cell != cell) {
+      slot = (slot + 1) & (m_slots.size() - 1);
+    }
+    return slot;
+  }
+
+  void grow() {
+    m_slots.assign(4 * m_slots.size(), empty);
+    for (std::uint32_t k = 0; k < m_voxels.size(); ++k) m_slots[slotOf(m_voxels[k].cell)] = k;
+  }
+
+  std::vector<std::uint32_t> m_slots;
+  std::vector<Voxel> m_voxels;
+  std::uint32_t m_last = 0;
+};
+
+}  // namespace
+
+Points voxelCentroids(std::span<const Vector3f> points, double leaf, const Vector3f& origin) {
+  // In floats, as PCL: then both put a point on the border of two cubes into the same one.
+  const float inverse = 1.0F / static_cast<float>(leaf);
+  VoxelTable table;
+  for (const Vector3f& p : points) {
+    const Vector3f position = (p - origin) * inverse;
+    Voxel& voxel = table.at({floorOf(position.x()), floorOf(position.y()), floorOf(position.z())});
+    voxel.sum += p.cast<double>();
+    ++voxel.count;
+  }
+  Points centroids;
+  centroids.reserve(table.voxels().size());
+  for (const Voxel& voxel : table.voxels()) {
+    centroids.push_back((voxel.sum / voxel.count).cast<float>());
+  }
+  return centroids;
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,90 @@
+// Euclidean clusters against pcl::EuclideanClusterExtraction on the same points.
+#include <pcl/io/pcd_io.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/segmentation/extract_clusters.h>
+
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "benchmark.h"
+#include "environment/clusters.h"
+#include "environment/voxel_grid.h"
+
+using boomwatch::Points;
+namespace bench = boomwatch::bench;
+
+namespace {
+
+constexpr float tolerance = 0.04F;
+
+/// A floor, forty boxes on it and noise, as 442,368 pixels see them.
+Points syntheticCloud() {
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0.0F, 0.01F);
+  Points points;
+  for (int v = 0; v < 576; ++v) {
+    for (int u = 0; u < 768; ++u) {
+      const bool box = (u / 48) % 2 == 0 && (v / 57) % 2 == 0;
+      const float z = 9.0F - 5.0F * static_cast<float>(v) / 576.0F - (box ? 0.5F : 0.0F);
+      points.push_back((z + noise(random)) * Eigen::Vector3f((static_cast<float>(u) - 384) / 700,
+                                                             (static_cast<float>(v) - 288) / 700,
+                                                             1.0F));
+    }
+  }
+  return points;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr toPcl(const Points& points) {
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const auto& p : points) cloud->push_back({p.x(), p.y(), p.z()});
+  return cloud;
+}
+
+std::size_t clustersOfPcl(const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud) {
+  const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>(false));
+  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
+  extraction.setSearchMethod(tree);
+  extraction.setClusterTolerance(tolerance);
+  extraction.setInputCloud(cloud);
+  std::vector<pcl::PointIndices> found;
+  extraction.extract(found);
+  return found.size();
+}
+
+void compare(const std::string& name, const Points& points) {
+  const auto cloud = toPcl(points);
+  std::size_t ours = 0;
+  std::size_t theirs = 0;
+  const double own = bench::medianMilliseconds(
+      15, [&] { ours = boomwatch::euclideanClusters(points, tolerance).sizes.size(); });
+  const double peer = bench::medianMilliseconds(3, [&] { theirs = clustersOfPcl(cloud); });
+  bench::print((name + "_points").c_str(), static_cast<double>(points.size()), "points", "-");
+  bench::print((name + "_time").c_str(), own, "ms", "-");
+  bench::print((name + "_pcl_over_ours").c_str(), peer / own, "x", ">=15");
+  bench::print((name + "_difference").c_str(),
+               static_cast<double>(ours) - static_cast<double>(theirs), "clusters", "0");
+}
+
+void compareRawAndDownsampled(const std::string& name, const Points& points) {
+  compare("clusters_" + name + "_4cm",
+          boomwatch::voxelCentroids(points, 0.04, Eigen::Vector3f::Zero()));
+  compare("clusters_" + name + "_raw", points);
+}
+
+}  // namespace
+
+/// Arguments: PCD files to measure as well, e.g. recordings with ground truth.
+int main(int count, char** arguments) {
+  compareRawAndDownsampled("synthetic", syntheticCloud());
+  for (int k = 1; k < count; ++k) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    if (pcl::io::loadPCDFile(arguments[k], cloud) != 0) return 1;
+    Points points;
+    for (const auto& p : cloud) {
+      if (boomwatch::isMeasured(p.getVector3fMap())) points.emplace_back(p.x, p.y, p.z);
+    }
+    compareRawAndDownsampled(std::filesystem::path(arguments[k]).stem().string(), points);
+  }
+  return 0;
+}
