@@ -5,6 +5,7 @@
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d video videoio)
 find_package(Threads REQUIRED)
+find_package(yaml-cpp REQUIRED)
 if(BOOMWATCH_GUI)
   find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersSources
     InteractionStyle RenderingCore RenderingOpenGL2 RenderingUI)

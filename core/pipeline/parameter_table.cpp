@@ -1,11 +1,8 @@
 #include "pipeline/parameter_table.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
 
-#include "frame/error.h"
+#include "pipeline/parameter_range.h"
 
 namespace boomwatch {
 namespace {
@@ -293,16 +290,6 @@ consteval bool keysUnique() {
   }
   return true;
 }
-constexpr bool inRange(const ParameterInfo& info, const ParameterValue& value) {
-  auto within = [&](double v) { return v >= info.minimum && v <= info.maximum; };
-  if (const auto* d = std::get_if<double>(&value)) return within(*d);
-  if (const auto* i = std::get_if<int>(&value)) return within(*i);
-  if (const auto* o = std::get_if<std::optional<double>>(&value)) return !*o || within(**o);
-  if (const auto* c = std::get_if<Choice>(&value)) {
-    return c->index >= 0 && c->index < static_cast<int>(info.choices.size());
-  }
-  return true;
-}
 consteval bool defaultsInRange() {
   const Parameters defaults;
   return std::all_of(table.begin(), table.end(),
@@ -312,111 +299,8 @@ static_assert(leafCount<Parameters>() == table.size(), "a field of Parameters ha
 static_assert(keysUnique(), "two rows have the same key");
 static_assert(defaultsInRange(), "a default lies outside its range");
 
-std::string formatNumber(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
-
-template <class T>
-std::optional<T> number(std::string_view text) {
-  T value{};
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<ParameterValue> parse(const ParameterInfo& info, std::string_view text) {
-  const ParameterValue kind = info.get(Parameters{});
-  if (std::holds_alternative<bool>(kind)) {
-    if (text == "true" || text == "on" || text == "1") return true;
-    if (text == "false" || text == "off" || text == "0") return false;
-    return std::nullopt;
-  }
-  if (std::holds_alternative<Choice>(kind)) {
-    const auto found = std::find(info.choices.begin(), info.choices.end(), text);
-    if (found == info.choices.end()) return std::nullopt;
-    return Choice{static_cast<int>(found - info.choices.begin())};
-  }
-  if (std::holds_alternative<int>(kind)) {
-    const auto value = number<int>(text);
-    return value ? std::optional<ParameterValue>(*value) : std::nullopt;
-  }
-  const bool optional = std::holds_alternative<std::optional<double>>(kind);
-  if (optional && text == "off") return std::optional<double>();
-  const auto value = number<double>(text);
-  if (!value) return std::nullopt;
-  return optional ? ParameterValue(std::optional<double>(*value)) : ParameterValue(*value);
-}
-
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 std::span<const ParameterInfo> parameterTable() { return table; }
-
-const ParameterInfo& findParameter(std::string_view key) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const ParameterInfo& info) { return info.key == key; });
-  if (found != table.end()) return *found;
-  const auto& nearest = *std::min_element(
-      table.begin(), table.end(), [&](const ParameterInfo& a, const ParameterInfo& b) {
-        return editDistance(a.key, key) < editDistance(b.key, key);
-      });
-  throw Error("parameter '" + std::string(key) + "'", "there is no such parameter",
-              "Did you mean '" + std::string(nearest.key) + "'? --help lists all of them.");
-}
-
-std::string formatValue(const ParameterInfo& info, const ParameterValue& value) {
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* i = std::get_if<int>(&value)) return std::to_string(*i);
-  if (const auto* d = std::get_if<double>(&value)) return formatNumber(*d);
-  if (const auto* o = std::get_if<std::optional<double>>(&value)) {
-    return *o ? formatNumber(**o) : "off";
-  }
-  return std::string(info.choices[static_cast<std::size_t>(std::get<Choice>(value).index)]);
-}
-
-std::string rangeText(const ParameterInfo& info) {
-  const ParameterValue kind = info.get(Parameters{});
-  if (std::holds_alternative<bool>(kind)) return "true, false";
-  if (std::holds_alternative<Choice>(kind)) {
-    std::string names;
-    for (const auto name : info.choices) names += (names.empty() ? "" : ", ") + std::string(name);
-    return names;
-  }
-  const std::string off = std::holds_alternative<std::optional<double>>(kind) ? "off or " : "";
-  const std::string unit = *info.unit ? std::string(" ") + info.unit : "";
-  return off + formatNumber(info.minimum) + " to " + formatNumber(info.maximum) + unit;
-}
-
-ParameterValue parseValue(const ParameterInfo& info, std::string_view text) {
-  const auto value = parse(info, text);
-  if (value && inRange(info, *value)) return *value;
-  throw Error("parameter '" + std::string(info.key) + "'",
-              "'" + std::string(text) + "' is not among " + rangeText(info),
-              "Give a value in that range.");
-}
-
-void setParameter(Parameters& parameters, std::string_view key, std::string_view text) {
-  const ParameterInfo& info = findParameter(key);
-  info.set(parameters, parseValue(info, text));
-}
 
 }  // namespace boomwatch

@@ -1,6 +1,8 @@
 #include "pipeline/parameters.h"
 
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 #include "environment/grid.h"
 #include "frame/error.h"
@@ -8,24 +10,31 @@
 namespace boomwatch {
 namespace {
 
+std::string format(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
 void requireOrder(const char* lowKey, double low, const char* highKey, double high) {
   if (low < high) return;
   throw Error("parameters '" + std::string(lowKey) + "' and '" + highKey + "'",
-              std::to_string(low) + " is not below " + std::to_string(high),
+              format(low) + " is not below " + format(high),
               "Set " + std::string(lowKey) + " below " + highKey + ".");
 }
 
 void requireModelFits(const Parameters& p) {
   const double columns = std::floor((p.bounds.xMax - p.bounds.xMin) / p.model.resolution);
   const double rows = std::floor((p.bounds.yMax - p.bounds.yMin) / p.model.resolution);
-  if (columns < 1 || rows < 1) {
+  if (!(columns >= 1 && rows >= 1)) {  // a NaN is refused as well
     throw Error("parameter 'resolution'", "a cell is larger than the bounds",
                 "Lower resolution or widen the bounds.");
   }
   const double megabytes = columns * rows * GridGeometry::bytesPerCell / 1e6;
-  if (megabytes > p.model.memoryLimit) {
+  if (!(megabytes <= p.model.memoryLimit)) {
     throw Error("parameter 'resolution'",
-                "the model would take " + std::to_string(std::llround(megabytes)) +
+                "the model would take " + format(std::round(megabytes)) +
                     " MB, more than memory_limit (" + std::to_string(p.model.memoryLimit) + " MB)",
                 "Raise resolution, narrow the bounds or raise memory_limit.");
   }

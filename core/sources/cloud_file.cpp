@@ -1,0 +1,40 @@
+#include "sources/cloud_file.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "frame/error.h"
+#include "sources/file_bytes.h"
+#include "sources/point_table.h"
+
+namespace boomwatch {
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+bool isCloudFile(const std::filesystem::path& file) {
+  const std::string extension = lowerExtension(file);
+  return extension == ".pcd" || extension == ".ply";
+}
+
+CloudFile readCloudFile(const std::filesystem::path& file) {
+  const std::string where = file.string();
+  if (!isCloudFile(file)) throw Error(where, "not a cloud", "Give a .pcd or a .ply file.");
+  const std::string bytes = readFileBytes(file, PointTable::maxBytes);
+  PointTable table;
+  if (lowerExtension(file) == ".pcd") {
+    readPcd(bytes, where, table);
+  } else {
+    readPly(bytes, where, table);
+  }
+  return toCloudFile(table, where);
+}
+
+}  // namespace boomwatch

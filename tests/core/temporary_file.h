@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+#include <string>
+
+#include "frame/error.h"
+
+/// A folder that goes with the test, and files in it.
+class TemporaryFolder {
+ public:
+  std::filesystem::path path(const QString& name = {}) const {
+    return (name.isEmpty() ? m_folder.path() : m_folder.filePath(name)).toStdString();
+  }
+  std::filesystem::path write(const QString& name, const QByteArray& bytes) const {
+    const QString file = m_folder.filePath(name);
+    QDir().mkpath(QFileInfo(file).path());
+    QFile out(file);
+    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size()) {
+      qFatal("cannot write %s", qPrintable(file));
+    }
+    return file.toStdString();
+  }
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+/// The message of the Error that `work` throws; empty when it throws none.
+template <class Work>
+QString errorOf(Work&& work) {
+  try {
+    work();
+  } catch (const boomwatch::Error& error) {
+    return QString::fromUtf8(error.what());
+  }
+  return {};
+}
+
+#define COMPARE_CONTAINS(text, part) \
+  QVERIFY2((text).contains(part), qPrintable("got: '" + (text) + "', wanted: '" + (part) + "'"))
