@@ -147,16 +147,13 @@ Clearance ExactClearance::query(const OrientedBox& box, double range) const {
   if (!isUsable(box)) return Clearance::unknown(Reason::NoLoad);
   // What lies at the range exactly is within it; the addend leaves room for rounding.
   const double limit = std::isnan(range) ? std::numeric_limits<double>::infinity() : range + 1e-9;
-  Clearance result{ClearanceState::NothingInRange, Reason::None, {}, {}, {}};
-  if (limit < 0) return result;
+  if (limit < 0) return clearanceFrom({});
   const auto surface = Search(*m_pyramid, box, limit).run();
-  if (!surface) return result;
+  if (!surface) return clearanceFrom({});
   const Nearest nearest =
       nearestPair(m_pyramid->geometry(), box, box.nearestTo(*surface), *surface);
-  if (nearest.distance > range) return result;
-  result.state = ClearanceState::Measured;
-  result.nearest = nearest;
-  return result;
+  if (nearest.distance > range) return clearanceFrom({});
+  return clearanceFrom(nearest);
 }
 
 }  // namespace boomwatch

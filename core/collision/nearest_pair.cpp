@@ -1,5 +1,7 @@
 #include "collision/nearest_pair.h"
 
+#include <Eigen/LU>
+
 namespace boomwatch {
 namespace {
 
@@ -15,8 +17,10 @@ LoadPart partAt(const OrientedBox& box, const Eigen::Vector3d& p) {
 }  // namespace
 
 bool isUsable(const OrientedBox& box) {
-  return box.centre.allFinite() && box.size.allFinite() && box.rotation.allFinite() &&
-         (box.size.array() >= 0).all();
+  constexpr double farthest = 1e9;
+  if (!box.centre.allFinite() || !box.size.allFinite() || !box.rotation.allFinite()) return false;
+  return box.centre.cwiseAbs().maxCoeff() < farthest && box.size.maxCoeff() < farthest &&
+         box.size.minCoeff() >= 0 && box.rotation.isUnitary(1e-6);
 }
 
 Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
@@ -28,6 +32,11 @@ Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
   if (distance == 0) return {0, onLoad, onEnvironment, LoadPart::Inside, halfCell.norm()};
   const double quantisation = (line / distance).cwiseAbs().dot(halfCell);
   return {distance, onLoad, onEnvironment, partAt(box, onLoad), quantisation};
+}
+
+Clearance clearanceFrom(const std::optional<Nearest>& nearest) {
+  const auto state = nearest ? ClearanceState::Measured : ClearanceState::NothingInRange;
+  return {state, Reason::None, nearest, {}, {}};
 }
 
 }  // namespace boomwatch

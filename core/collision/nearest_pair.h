@@ -6,8 +6,8 @@
 
 namespace boomwatch {
 
-/// Whether a box can be searched around: every number finite, no size negative. A size of zero is
-/// fine. Pure.
+/// Whether a box can be searched around: its numbers finite and below a million kilometres, no size
+/// negative, its axes at right angles and of length 1. A size of zero is fine. Pure.
 bool isUsable(const OrientedBox& box);
 
 /// Describes the shortest line between a point of the solid box and a cell's surface point: its
@@ -16,5 +16,8 @@ bool isUsable(const OrientedBox& box);
 /// the points coincide, half the cell's diagonal. Camera frame, metres. Pure.
 Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
                     const Eigen::Vector3d& onLoad, const Eigen::Vector3d& onEnvironment);
+
+/// Measured when there is a pair, NothingInRange when there is none.
+Clearance clearanceFrom(const std::optional<Nearest>& nearest);
 
 }  // namespace boomwatch

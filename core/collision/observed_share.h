@@ -10,18 +10,23 @@ namespace boomwatch {
 
 /// How much of the space around a box was ever observed.
 ///
-/// rebuild() after an update of the model (cheap when nothing new was observed), then query().
+/// rebuild() after an update of the model, then query() as often as wanted; query() is const and
+/// may run on several threads at once. Keeps a byte a cell: the model may go.
 class ObservedShare {
  public:
   void rebuild(const EnvironmentModel& model);
 
-  /// Share, 0..1, of the cells within `reach` metres of the box's footprint (the convex hull of its
-  /// projected corners) that were ever observed. What lies outside the bounds counts as unobserved.
+  /// Share, 0..1, of the cells that were ever observed, among those whose centre lies within
+  /// `reach` metres of the box's footprint (the convex hull of its projected corners); when there
+  /// is no such centre, of the one cell below the box's centre. What lies outside the bounds counts
+  /// as unobserved, cell by cell, as if the grid went on. 0 before the first rebuild(), when the
+  /// box is not one (see isUsable) or `reach` is not a finite number; a negative reach counts as 0.
+  /// Time is bounded by the size of the grid.
   double query(const OrientedBox& box, double reach) const;
 
  private:
   GridGeometry m_geometry;
-  std::vector<std::uint32_t> m_prefix;  ///< observed cells left of column i, a row of columns + 1
+  std::vector<std::uint8_t> m_observed;  ///< 1 where a cell was ever observed; row-major
 };
 
 }  // namespace boomwatch

@@ -58,6 +58,14 @@ std::optional<WideSize> jpegSize(const Bytes& b) {
   return std::nullopt;
 }
 
+// libjpeg fills up what a cut file lacks with grey and says that all is well.
+bool endsLikeAJpeg(const Bytes& b) {
+  constexpr std::array<unsigned char, 2> endOfImage{0xFF, 0xD9};
+  // Some cameras add a few bytes.
+  const auto tail = b.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(b.size(), 1024));
+  return std::search(tail, b.end(), endOfImage.begin(), endOfImage.end()) != b.end();
+}
+
 std::optional<WideSize> bmpSize(const Bytes& b) {
   if (b.size() < 26) return std::nullopt;
   auto littleEndian = [&](std::size_t at) {
@@ -141,6 +149,7 @@ ImageResult readImage(const fs::path& file) {
     return fault("a picture of " + std::to_string(size->width) + " x " +
                  std::to_string(size->height) + " pixels is not read");
   }
+  if (startsWith(*bytes, "\xFF\xD8") && !endsLikeAJpeg(*bytes)) return fault("the picture is cut");
   try {
     cv::Mat image = cv::imdecode(*bytes, cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION);
     if (!image.empty()) return {image, ""};

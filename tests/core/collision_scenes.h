@@ -30,14 +30,14 @@ inline EnvironmentModel flatFloor(const GridGeometry& geometry, double z) {
   return model;
 }
 
-/// Hilly ground with stones on it, 6 to 8 m away.
+/// Hilly, rough ground, 6 to 8 m away.
 inline EnvironmentModel unevenGround(const GridGeometry& geometry, Random& random) {
   EnvironmentModel model(geometry);
   for (int j = 0; j < geometry.rows(); ++j) {
     for (int i = 0; i < geometry.columns(); ++i) {
       const double x = geometry.xOf(i), y = geometry.yOf(j);
       const double hills = 7.0 + 0.5 * std::sin(0.9 * x) + 0.3 * std::cos(1.3 * y + 0.4 * x);
-      occupy(model, i, j, hills + uniform(random, -0.1, 0.1));
+      occupy(model, i, j, hills + uniform(random, -0.03, 0.03));
     }
   }
   return model;

@@ -223,11 +223,16 @@ class TestExactClearance : public QObject {
 
   void survivesBoxesBeyondAnyReason() {
     const EnvironmentModel model = scenes::flatFloor(m_small, 4.0);
-    QCOMPARE(clearanceOf(model, {{0, 0, 0}, {1e300, 1e300, 1e300}}).nearest->distance, 0.0);
-    QVERIFY(clearanceOf(model, {{1e300, 0, 0}, {1, 1, 1}}, 1000).state ==
-            ClearanceState::NothingInRange);
+    QCOMPARE(clearanceOf(model, {{0, 0, 0}, {1e8, 1e8, 1e8}}).nearest->distance, 0.0);
     QVERIFY(std::abs(clearanceOf(model, {{1e6, 0, 2}, {1, 1, 1}}).nearest->distance - 1e6) < 5);
     QVERIFY(clearanceOf(model, {{0, 0, 2}, {0, 0, 0}}).state == ClearanceState::Measured);
+    for (const double huge : {1e10, 1e200, 1e308}) {
+      QVERIFY(clearanceOf(model, {{huge, 0, 0}, {1, 1, 1}}).reason == Reason::NoLoad);
+      QVERIFY(clearanceOf(model, {{0, 0, 0}, {1, huge, 1}}).reason == Reason::NoLoad);
+    }
+    OrientedBox skewed{{0, 0, 2}, {1, 1, 1}};
+    skewed.rotation(0, 1) = 0.1;
+    QVERIFY(clearanceOf(model, skewed).reason == Reason::NoLoad);
   }
 
   void answersSeveralThreadsAtOnce() {

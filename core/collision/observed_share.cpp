@@ -1,0 +1,97 @@
+#include "collision/observed_share.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "collision/footprint.h"
+#include "collision/nearest_pair.h"
+
+namespace boomwatch {
+namespace {
+
+// Columns, or rows, whose centre lies between two coordinates. Doubles: they may lie far outside.
+struct Span {
+  double first, last;
+  Span(double low, double high, double origin, double resolution)
+      : first(std::ceil((low - origin) / resolution - 0.5)),
+        last(std::floor((high - origin) / resolution - 0.5)) {}
+  double count() const { return std::max(last - first + 1, 0.0); }
+};
+
+class Count {
+ public:
+  Count(const GridGeometry& geometry, const std::vector<std::uint8_t>& observed,
+        const Footprint& footprint)
+      : m_geometry(geometry), m_observed(observed), m_footprint(footprint) {}
+
+  // Absent when no cell's centre lies within the footprint.
+  std::optional<double> share() {
+    const auto [low, high] = m_footprint.rows();
+    const Span rows(low, high, m_geometry.bounds().yMin, m_geometry.resolution());
+    const double end = m_geometry.rows();
+    countOutside(rows.first, std::min(rows.last, -1.0));
+    for (double j = std::max(rows.first, 0.0); j <= std::min(rows.last, end - 1); ++j) countRow(j);
+    countOutside(std::max(rows.first, end), rows.last);
+    if (m_all == 0) return std::nullopt;
+    return m_seen / m_all;
+  }
+
+ private:
+  std::optional<Span> columnsOf(double row) const {
+    const double y = m_geometry.bounds().yMin + (row + 0.5) * m_geometry.resolution();
+    const auto x = m_footprint.at(y);
+    if (!x) return std::nullopt;
+    return Span(x->low, x->high, m_geometry.bounds().xMin, m_geometry.resolution());
+  }
+
+  void countRow(double row) {
+    const auto columns = columnsOf(row);
+    if (!columns) return;
+    m_all += columns->count();
+    const double first = std::max(columns->first, 0.0);
+    const double last = std::min(columns->last, m_geometry.columns() - 1.0);
+    if (first > last) return;
+    const auto begin = m_observed.begin() + static_cast<std::ptrdiff_t>(m_geometry.index(
+                                                static_cast<int>(first), static_cast<int>(row)));
+    m_seen += std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(last - first + 1), 0U);
+  }
+
+  // Each row while they are few. Of very many, which a wide reach gives, the middle one of each
+  // band: the outline bends so little within one that the total is right to a millionth.
+  void countOutside(double first, double last) {
+    constexpr double bands = 4096;
+    const double band = std::ceil(std::max((last - first + 1) / bands, 1.0));
+    for (double row = first; row <= last; row += band) {
+      const double rows = std::min(band, last - row + 1);
+      if (const auto columns = columnsOf(row + (rows - 1) / 2)) m_all += columns->count() * rows;
+    }
+  }
+
+  const GridGeometry& m_geometry;
+  const std::vector<std::uint8_t>& m_observed;
+  const Footprint& m_footprint;
+  double m_all = 0;
+  double m_seen = 0;
+};
+
+}  // namespace
+
+void ObservedShare::rebuild(const EnvironmentModel& model) {
+  m_geometry = model.geometry();
+  const auto probabilities = model.probabilities();
+  m_observed.resize(probabilities.size());
+  std::transform(probabilities.begin(), probabilities.end(), m_observed.begin(),
+                 [](float p) { return static_cast<std::uint8_t>(p > 0.0F); });
+}
+
+double ObservedShare::query(const OrientedBox& box, double reach) const {
+  if (m_observed.empty() || !isUsable(box) || !std::isfinite(reach)) return 0;
+  const Footprint footprint(box, std::max(reach, 0.0));
+  if (const auto share = Count(m_geometry, m_observed, footprint).share()) return *share;
+  const int column = m_geometry.columnOf(box.centre.x()), row = m_geometry.rowOf(box.centre.y());
+  if (!m_geometry.contains(column, row)) return 0;
+  return m_observed[m_geometry.index(column, row)];
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,120 @@
+#include "environment/static_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "environment/clusters.h"
+#include "environment/low_pass.h"
+#include "environment/voxel_grid.h"
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Vector3f;
+
+/// Sorts the measured points into those inside the bounds and those behind them.
+void crop(const Cloud& cloud, const Bounds& bounds, Points& inside, Points& beyond) {
+  inside.reserve(cloud.size());
+  for (const Vector3f& p : cloud.points) {
+    if (!isMeasured(p)) continue;
+    if (bounds.contains(p)) {
+      inside.push_back(p);
+    } else if (p.z() > bounds.zMax && bounds.contains({p.x(), p.y(), float(bounds.zMin)})) {
+      beyond.push_back(p);
+    }
+  }
+}
+
+/// One cluster, as far as it matters for finding the tool.
+struct ClusterShape {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3f box;
+  float toTool2 = std::numeric_limits<float>::infinity();  ///< nearest point to the tool, squared
+  int points = 0;
+
+  void add(const Vector3f& p, const Vector3f& tool) {
+    sum += p.cast<double>();
+    box.extend(p);
+    toTool2 = std::min(toTool2, (p - tool).squaredNorm());
+    ++points;
+  }
+  double centreTo(const Vector3f& tool) const {
+    return (sum / points - tool.cast<double>()).norm();
+  }
+};
+
+const ClusterShape* nearestAtTool(const std::vector<ClusterShape>& shapes, const Vector3f& tool,
+                                  double reach) {
+  const ClusterShape* best = nullptr;
+  for (const ClusterShape& shape : shapes) {
+    if (shape.points == 0 || !(shape.toTool2 <= reach * reach)) continue;
+    if (best == nullptr || shape.centreTo(tool) < best->centreTo(tool)) best = &shape;
+  }
+  return best;
+}
+
+bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const Bounds& bounds) {
+  const auto held = std::count_if(points.begin(), points.end(),
+                                  [&](const Vector3f& p) { return box.contains(p); });
+  const Vector3f sizes = box.sizes();
+  return 2 * static_cast<std::size_t>(held) > points.size() ||
+         (2 * sizes.x() > bounds.xMax - bounds.xMin && 2 * sizes.y() > bounds.yMax - bounds.yMin);
+}
+
+/// Finds the tool's box among the clusters of `points`, whose labels fit them.
+void maskTool(StaticScene& scene, const Points& points, const Clusters& clusters,
+              const Vector3f& tool, const Parameters& parameters) {
+  std::vector<ClusterShape> shapes(clusters.sizes.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto label = static_cast<std::size_t>(clusters.labels[i]);
+    if (clusters.sizes[label] >= parameters.filter.clusterMinimum)
+      shapes[label].add(points[i], tool);
+  }
+  // The tool point is a pixel's; downsampling moved the points around it by up to about R.
+  const double reach = parameters.filter.clusterTolerance + parameters.model.resolution;
+  const ClusterShape* const found = nearestAtTool(shapes, tool, reach);
+  if (found == nullptr) {
+    scene.toolMask = ToolMask::NothingThere;
+  } else if (swallowsScene(found->box, points, parameters.bounds)) {
+    scene.toolMask = ToolMask::TooLarge;
+  } else {
+    scene.toolMask = ToolMask::Taken;
+    scene.toolBox = {found->box.min().cast<double>(), found->box.max().cast<double>()};
+  }
+}
+
+}  // namespace
+
+StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& tool,
+                           const std::optional<OrientedBox>& load, const Parameters& parameters) {
+  const FilterParameters& filter = parameters.filter;
+  const Bounds& bounds = parameters.bounds;
+  StaticScene scene;
+  Points points;
+  crop(cloud, bounds, points, scene.beyond);
+
+  const auto reprojected = [&](Vector3f p) {
+    if (filter.zReprojection) p.z() = static_cast<float>(*filter.zReprojection);
+    return p;
+  };
+  std::transform(points.begin(), points.end(), points.begin(), reprojected);
+  const Eigen::Vector3d corner(bounds.xMin, bounds.yMin, bounds.zMin);
+  points = voxelCentroids(points, parameters.model.resolution, corner.cast<float>());
+  const std::size_t downsampled = points.size();
+  if (filter.lowPass) points = withoutOutliers(points, filter);
+
+  const Clusters clusters = euclideanClusters(points, static_cast<float>(filter.clusterTolerance));
+  if (tool) maskTool(scene, points, clusters, reprojected(*tool), parameters);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (clusters.sizes[static_cast<std::size_t>(clusters.labels[i])] < filter.clusterMinimum)
+      continue;
+    const Eigen::Vector3d p = points[i].cast<double>();
+    const bool dynamic =
+        (scene.toolBox && scene.toolBox->contains(p)) || (load && load->contains(p));
+    (dynamic ? scene.removed : scene.statics).push_back(points[i]);
+  }
+  scene.noise = downsampled - scene.statics.size() - scene.removed.size();
+  return scene;
+}
+
+}  // namespace boomwatch

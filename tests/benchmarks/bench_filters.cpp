@@ -1,0 +1,85 @@
+// The whole filter stage against PCL's own filters for its two main steps.
+#include <pcl/filters/voxel_grid.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/segmentation/extract_clusters.h>
+
+#include <random>
+
+#include "benchmark.h"
+#include "environment/static_scene.h"
+#include "environment/voxel_grid.h"
+
+using boomwatch::Cloud;
+using boomwatch::Parameters;
+namespace bench = boomwatch::bench;
+
+namespace {
+
+/// A floor, forty boxes on it and noise, as 442,368 pixels see them; every tenth pixel unmeasured.
+Cloud organisedCloud() {
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0.0F, 0.01F);
+  std::uniform_int_distribution<int> tenth(0, 9);
+  Cloud cloud{768, 576, {}};
+  for (int v = 0; v < cloud.height; ++v) {
+    for (int u = 0; u < cloud.width; ++u) {
+      const bool box = (u / 48) % 2 == 0 && (v / 57) % 2 == 0;
+      const float z = 9.0F - 5.0F * static_cast<float>(v) / 576.0F - (box ? 0.5F : 0.0F);
+      const Eigen::Vector3f ray((static_cast<float>(u) - 384) / 700,
+                                (static_cast<float>(v) - 288) / 700, 1.0F);
+      cloud.points.push_back(tenth(random) == 0 ? boomwatch::unmeasuredPoint()
+                                                : Eigen::Vector3f((z + noise(random)) * ray));
+    }
+  }
+  return cloud;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr downsampledByPcl(
+    const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud, float leaf) {
+  pcl::VoxelGrid<pcl::PointXYZ> filter;
+  filter.setInputCloud(cloud);
+  filter.setLeafSize(leaf, leaf, leaf);
+  pcl::PointCloud<pcl::PointXYZ>::Ptr result(new pcl::PointCloud<pcl::PointXYZ>);
+  filter.filter(*result);
+  return result;
+}
+
+void clusterByPcl(const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud, double tolerance) {
+  const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>(false));
+  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
+  extraction.setSearchMethod(tree);
+  extraction.setClusterTolerance(tolerance);
+  extraction.setInputCloud(cloud);
+  std::vector<pcl::PointIndices> found;
+  extraction.extract(found);
+}
+
+}  // namespace
+
+int main() {
+  const Parameters parameters;
+  const Cloud cloud = organisedCloud();
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr forPcl(new pcl::PointCloud<pcl::PointXYZ>);
+  boomwatch::Points measured;
+  for (const auto& p : cloud.points) {
+    if (!boomwatch::isMeasured(p)) continue;
+    forPcl->push_back({p.x(), p.y(), p.z()});
+    measured.push_back(p);
+  }
+  const double stage = bench::medianMilliseconds(
+      21, [&] { boomwatch::separateStatic(cloud, Eigen::Vector3f(0, 0, 5), {}, parameters); });
+  const double voxels = bench::medianMilliseconds(21, [&] {
+    boomwatch::voxelCentroids(measured, parameters.model.resolution, Eigen::Vector3f::Zero());
+  });
+  const auto leaf = static_cast<float>(parameters.model.resolution);
+  const double voxelsOfPcl = bench::medianMilliseconds(11, [&] { downsampledByPcl(forPcl, leaf); });
+  const auto downsampled = downsampledByPcl(forPcl, leaf);
+  const double clustersOfPcl = bench::medianMilliseconds(
+      3, [&] { clusterByPcl(downsampled, parameters.filter.clusterTolerance); });
+  bench::print("filter_stage", stage, "ms", "-");
+  bench::print("filter_stage_pcl", voxelsOfPcl + clustersOfPcl, "ms", "-");
+  bench::print("filter_stage_pcl_over_ours", (voxelsOfPcl + clustersOfPcl) / stage, "x", "-");
+  bench::print("voxel_centroids", voxels, "ms", "-");
+  bench::print("voxel_centroids_pcl_over_ours", voxelsOfPcl / voxels, "x", "-");
+  return 0;
+}
