@@ -26,7 +26,7 @@ void shrink(const std::uint8_t* in, int columns, int rows, std::vector<std::uint
       for (int i = 0; i < columns; ++i) line[i] = pick(line[i], row[i]);
     }
     std::uint8_t* target = out.data() + static_cast<std::size_t>(top / fan) * outColumns;
-    for (int i = 0; i < outColumns; ++i) {
+    for (std::ptrdiff_t i = 0; i < outColumns; ++i) {
       const std::uint8_t* four = line + fan * i;
       target[i] = pick(pick(four[0], four[1]), pick(four[2], four[3]));
     }

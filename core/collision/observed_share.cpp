@@ -31,7 +31,9 @@ class Count {
     const Span rows(low, high, m_geometry.bounds().yMin, m_geometry.resolution());
     const double end = m_geometry.rows();
     countOutside(rows.first, std::min(rows.last, -1.0));
-    for (double j = std::max(rows.first, 0.0); j <= std::min(rows.last, end - 1); ++j) countRow(j);
+    const int first = static_cast<int>(std::clamp(rows.first, 0.0, end));
+    const int last = static_cast<int>(std::clamp(rows.last, -1.0, end - 1));
+    for (int j = first; j <= last; ++j) countRow(j);
     countOutside(std::max(rows.first, end), rows.last);
     if (m_all == 0) return std::nullopt;
     return m_seen / m_all;
@@ -45,26 +47,28 @@ class Count {
     return Span(x->low, x->high, m_geometry.bounds().xMin, m_geometry.resolution());
   }
 
-  void countRow(double row) {
+  void countRow(int row) {
     const auto columns = columnsOf(row);
     if (!columns) return;
     m_all += columns->count();
     const double first = std::max(columns->first, 0.0);
     const double last = std::min(columns->last, m_geometry.columns() - 1.0);
     if (first > last) return;
-    const auto begin = m_observed.begin() + static_cast<std::ptrdiff_t>(m_geometry.index(
-                                                static_cast<int>(first), static_cast<int>(row)));
+    const auto begin = m_observed.begin() +
+                       static_cast<std::ptrdiff_t>(m_geometry.index(static_cast<int>(first), row));
     m_seen += std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(last - first + 1), 0U);
   }
 
   // Each row while they are few. Of very many, which a wide reach gives, the middle one of each
   // band: the outline bends so little within one that the total is right to a millionth.
   void countOutside(double first, double last) {
-    constexpr double bands = 4096;
-    const double band = std::ceil(std::max((last - first + 1) / bands, 1.0));
-    for (double row = first; row <= last; row += band) {
-      const double rows = std::min(band, last - row + 1);
-      if (const auto columns = columnsOf(row + (rows - 1) / 2)) m_all += columns->count() * rows;
+    constexpr int bands = 4096;
+    const double rows = last - first + 1;
+    const double height = std::ceil(std::max(rows / bands, 1.0));
+    for (int k = 0; k < bands && k * height < rows; ++k) {
+      const double thickness = std::min(height, rows - k * height);
+      const auto columns = columnsOf(first + k * height + (thickness - 1) / 2);
+      if (columns) m_all += columns->count() * thickness;
     }
   }
 

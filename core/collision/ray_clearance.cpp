@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "collision/nearest_pair.h"
 
@@ -16,6 +17,9 @@ using Eigen::Vector3d;
 struct Range {
   double first, last;
   bool empty() const { return !(first <= last); }
+  // For loops. What is not empty was cut to the grid, so that it fits.
+  std::int64_t begin() const { return empty() ? 0 : static_cast<std::int64_t>(first); }
+  std::int64_t end() const { return empty() ? 0 : static_cast<std::int64_t>(last) + 1; }
   Range meet(double low, double high) const {
     return {std::max(first, std::ceil(low)), std::min(last, std::floor(high))};
   }
@@ -125,10 +129,11 @@ class RaySearch {
   void lookBehind() {
     const auto& [corner, step, length] = m_outline;
     const Range lines = m_grid.acrossLines(corner[0], step[0], step[1], stepsBelow(length[0]));
-    for (double r = lines.first; r <= lines.last; ++r) {
-      const Vector3d start = corner[0] + r * step[0];
+    for (auto r = lines.begin(); r < lines.end(); ++r) {
+      const Vector3d start = corner[0] + static_cast<double>(r) * step[0];
       const Range cells = m_grid.alongLine(start, step[1], stepsBelow(length[1]));
-      for (double s = cells.first; s <= cells.last; ++s) lookThrough(start + s * step[1]);
+      for (auto s = cells.begin(); s < cells.end(); ++s)
+        lookThrough(start + static_cast<double>(s) * step[1]);
     }
   }
 
@@ -141,8 +146,8 @@ class RaySearch {
       const Vector3d normal = -m_outline.step[(i + 1) % 4];
       const Range rays =
           m_grid.acrossLines(corner, along, normal, stepsBelow(m_outline.length[i] / interval));
-      for (double k = rays.first; k <= rays.last; ++k) {
-        follow(corner + k * along, normal, {0, radius});
+      for (auto k = rays.begin(); k < rays.end(); ++k) {
+        follow(corner + static_cast<double>(k) * along, normal, {0, radius});
       }
       const Vector3d outward = m_outline.step[(i + 3) % 4] - m_outline.step[i];
       const Vector3d unit = outward * m_geometry.resolution() / outward.head<2>().norm();
@@ -161,8 +166,8 @@ class RaySearch {
     const Range cells = m_grid.alongLine(start, step, range);
     if (cells.empty()) return;
     m_rays.push_back({start + cells.first * step, start + cells.last * step});
-    for (double l = cells.first; l <= cells.last; ++l) {
-      const auto surface = surfaceUnder(start + l * step);
+    for (auto l = cells.begin(); l < cells.end(); ++l) {
+      const auto surface = surfaceUnder(start + static_cast<double>(l) * step);
       if (!surface) continue;
       // Eq. 20-21 from the ray's own start; a tilted box may reach over the ray, though.
       consider(m_box.contains(*surface) ? *surface : start, *surface);

@@ -10,48 +10,52 @@ namespace {
 
 constexpr std::uint32_t margin = 2;
 
-/// The cell of every point along one axis, from `margin` up to `count - margin`.
-struct AxisCells {
-  std::vector<std::uint32_t> cells;
-  std::uint64_t count = 0;
+/// Gives coordinates along one axis their cells, from `margin` up to `count - margin`.
+class Axis {
+ public:
+  Axis(const Points& points, int axis, float low, float high, double inverse)
+      : m_origin(low), m_inverse(inverse) {
+    const double span = (static_cast<double>(high) - low) * inverse;
+    if (span < 1U << 31) {
+      m_count = static_cast<std::uint64_t>(span) + 2 * margin + 1;
+    } else {
+      shrinkGaps(points, axis);
+    }
+  }
+
+  std::uint64_t count() const { return m_count; }
+
+  std::uint32_t cellOf(float coordinate) const {
+    if (m_used.empty()) {
+      return static_cast<std::uint32_t>((coordinate - m_origin) * m_inverse) + margin;
+    }
+    const auto found =
+        std::lower_bound(m_used.begin(), m_used.end(), std::floor(coordinate * m_inverse));
+    return m_numbers[static_cast<std::size_t>(found - m_used.begin())];
+  }
+
+ private:
+  /// For points that span more cells than a number holds: gaps wider than two cells shrink to
+  /// three. Cells are counted from zero here, not from the smallest coordinate: a far outlier must
+  /// not cost the others their precision.
+  void shrinkGaps(const Points& points, int axis) {
+    for (const auto& p : points) m_used.push_back(std::floor(p[axis] * m_inverse));
+    std::sort(m_used.begin(), m_used.end());
+    m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
+    m_numbers.assign(m_used.size(), margin);
+    for (std::size_t k = 1; k < m_used.size(); ++k) {
+      const double gap = std::min(m_used[k] - m_used[k - 1], 3.0);
+      m_numbers[k] = m_numbers[k - 1] + static_cast<std::uint32_t>(gap);
+    }
+    m_count = m_numbers.back() + margin + 1ULL;
+  }
+
+  double m_origin;
+  double m_inverse;
+  std::uint64_t m_count = 0;
+  std::vector<double> m_used;            ///< cells that hold points, in order; empty unless shrunk
+  std::vector<std::uint32_t> m_numbers;  ///< what each of them is called
 };
-
-/// For points that span more cells than a number holds: gaps wider than two cells shrink to three.
-/// Cells are counted from the origin, not from the smallest coordinate: a far outlier must not cost
-/// the others their precision.
-AxisCells numberWideAxis(const Points& points, int axis, double inverse) {
-  std::vector<double> used(points.size());
-  std::transform(points.begin(), points.end(), used.begin(),
-                 [&](const auto& p) { return std::floor(p[axis] * inverse); });
-  const std::vector<double> cells = used;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<std::uint32_t> numbers(used.size(), margin);
-  for (std::size_t k = 1; k < used.size(); ++k) {
-    numbers[k] = numbers[k - 1] + static_cast<std::uint32_t>(std::min(used[k] - used[k - 1], 3.0));
-  }
-  AxisCells result{std::vector<std::uint32_t>(points.size()), numbers.back() + margin + 1ULL};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto found = std::lower_bound(used.begin(), used.end(), cells[i]);
-    result.cells[i] = numbers[static_cast<std::size_t>(found - used.begin())];
-  }
-  return result;
-}
-
-AxisCells numberAxis(const Points& points, int axis, double inverse) {
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(),
-                          [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-  const double origin = (*low)[axis];
-  const double span = ((*high)[axis] - origin) * inverse;
-  if (span >= 1U << 31) return numberWideAxis(points, axis, inverse);
-  AxisCells result{std::vector<std::uint32_t>(points.size()),
-                   static_cast<std::uint64_t>(span) + 2 * margin + 1};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    result.cells[i] = static_cast<std::uint32_t>((points[i][axis] - origin) * inverse) + margin;
-  }
-  return result;
-}
 
 struct Item {
   std::uint64_t row;
@@ -77,17 +81,25 @@ void radixSort(std::vector<Item>& items, std::vector<Item>& scratch, std::uint64
 
 std::vector<Item> sortedItems(const Points& points, double side, std::uint64_t& rowsPerLayer) {
   const double inverse = 1.0 / side;
-  const AxisCells x = numberAxis(points, 0, inverse);
-  const AxisCells y = numberAxis(points, 1, inverse);
-  const AxisCells z = numberAxis(points, 2, inverse);
-  rowsPerLayer = y.count;
+  Eigen::Vector3f low = points.front();
+  Eigen::Vector3f high = points.front();
+  for (const auto& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Axis x(points, 0, low.x(), high.x(), inverse);
+  const Axis y(points, 1, low.y(), high.y(), inverse);
+  const Axis z(points, 2, low.z(), high.z(), inverse);
+  rowsPerLayer = y.count();
   std::vector<Item> items(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    items[i] = {z.cells[i] * y.count + y.cells[i], x.cells[i], static_cast<std::uint32_t>(i)};
+    const auto& p = points[i];
+    items[i] = {z.cellOf(p.z()) * y.count() + y.cellOf(p.y()), x.cellOf(p.x()),
+                static_cast<std::uint32_t>(i)};
   }
   std::vector<Item> scratch(items.size());
-  radixSort(items, scratch, x.count, [](const Item& item) { return item.x; });
-  radixSort(items, scratch, z.count * y.count, [](const Item& item) { return item.row; });
+  radixSort(items, scratch, x.count(), [](const Item& item) { return item.x; });
+  radixSort(items, scratch, z.count() * y.count(), [](const Item& item) { return item.row; });
   return items;
 }
 

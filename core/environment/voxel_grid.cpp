@@ -18,26 +18,28 @@ inline float floorOf(float value) {
 
 struct Voxel {
   Vector3f cell;  ///< whole numbers, as floats: they hold any coordinate that a float holds
+  Vector3f first;
+  Vector3f sum = Vector3f::Zero();  ///< from the first point, where floats are fine enough
   std::uint32_t count = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
 };
 
 /// Finds voxels by their cell: a hash table with open addressing over a list.
 class VoxelTable {
  public:
-  VoxelTable() : m_slots(1U << 12, empty) {}
+  explicit VoxelTable(std::size_t points) { resize(std::bit_ceil(points / 2 + 2)); }
 
-  Voxel& at(const Vector3f& cell) {
+  /// The voxel of `cell`; one that begins with `point` if there is none yet.
+  Voxel& at(const Vector3f& cell, const Vector3f& point) {
     // Neighbouring pixels mostly lie in the same voxel.
     if (!m_voxels.empty() && m_voxels[m_last].cell == cell) return m_voxels[m_last];
     std::size_t slot = slotOf(cell);
     if (m_slots[slot] == empty) {
       if (2 * m_voxels.size() >= m_slots.size()) {
-        grow();
+        resize(2 * m_slots.size());
         slot = slotOf(cell);
       }
       m_slots[slot] = static_cast<std::uint32_t>(m_voxels.size());
-      m_voxels.push_back({cell});
+      m_voxels.push_back({cell, point});
     }
     m_last = m_slots[slot];
     return m_voxels[m_last];
@@ -55,21 +57,24 @@ class VoxelTable {
     hash = hash * golden + std::bit_cast<std::uint32_t>(cell.y());
     hash = (hash ^ (hash >> 32)) * golden + std::bit_cast<std::uint32_t>(cell.z());
     hash = (hash ^ (hash >> 32)) * golden;
-    std::size_t slot = (hash >> 32) & (m_slots.size() - 1);
+    std::size_t slot = hash >> m_shift;
     while (m_slots[slot] != empty && m_voxels[m_slots[slot]].cell != cell) {
       slot = (slot + 1) & (m_slots.size() - 1);
     }
     return slot;
   }
 
-  void grow() {
-    m_slots.assign(4 * m_slots.size(), empty);
+  /// `size`: a power of two.
+  void resize(std::size_t size) {
+    m_slots.assign(size, empty);
+    m_shift = 64 - (static_cast<int>(std::bit_width(size)) - 1);
     for (std::uint32_t k = 0; k < m_voxels.size(); ++k) m_slots[slotOf(m_voxels[k].cell)] = k;
   }
 
   std::vector<std::uint32_t> m_slots;
   std::vector<Voxel> m_voxels;
   std::uint32_t m_last = 0;
+  int m_shift = 0;  ///< keeps as many of a hash's best bits, its first, as number the slots
 };
 
 }  // namespace
@@ -77,17 +82,18 @@ class VoxelTable {
 Points voxelCentroids(std::span<const Vector3f> points, double leaf, const Vector3f& origin) {
   // In floats, as PCL: then both put a point on the border of two cubes into the same one.
   const float inverse = 1.0F / static_cast<float>(leaf);
-  VoxelTable table;
+  VoxelTable table(points.size());
   for (const Vector3f& p : points) {
     const Vector3f position = (p - origin) * inverse;
-    Voxel& voxel = table.at({floorOf(position.x()), floorOf(position.y()), floorOf(position.z())});
-    voxel.sum += p.cast<double>();
+    Voxel& voxel =
+        table.at({floorOf(position.x()), floorOf(position.y()), floorOf(position.z())}, p);
+    voxel.sum += p - voxel.first;
     ++voxel.count;
   }
   Points centroids;
   centroids.reserve(table.voxels().size());
   for (const Voxel& voxel : table.voxels()) {
-    centroids.push_back((voxel.sum / voxel.count).cast<float>());
+    centroids.push_back(voxel.first + voxel.sum / static_cast<float>(voxel.count));
   }
   return centroids;
 }

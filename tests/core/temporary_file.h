@@ -41,5 +41,8 @@ QString errorOf(Work&& work) {
   return {};
 }
 
-#define COMPARE_CONTAINS(text, part) \
-  QVERIFY2((text).contains(part), qPrintable("got: '" + (text) + "', wanted: '" + (part) + "'"))
+#define COMPARE_CONTAINS(text, part)                                                          \
+  do {                                                                                        \
+    const QString got = (text);                                                               \
+    QVERIFY2(got.contains(part), qPrintable("got: '" + got + "', wanted: '" + (part) + "'")); \
+  } while (false)

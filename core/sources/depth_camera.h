@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "frame/cloud.h"
+
+namespace boomwatch {
+
+/// How a depth image and points belong together. Pixels; no distortion.
+struct DepthCamera {
+  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
+  double unitsPerMetre = 1000.0;  ///< what a metre is in the depth image
+};
+
+/// Reads intrinsics from OpenCV's YAML, XML or JSON: a 3 x 3 matrix `camera_matrix`, `M1`,
+/// `intrinsic` or `K`, or numbers `fx fy cx cy`; optionally `depth_factor`, the depth image's units
+/// a metre (1000 if absent). Throws Error naming the file and what is wrong.
+DepthCamera readDepthCamera(const std::filesystem::path& file);
+
+/// The organised cloud of a depth image (CV_16UC1; 0 is unmeasured): X = (u - cx) z / fx,
+/// Y = (v - cy) z / fy. Pure.
+Cloud cloudFromDepth(const cv::Mat& depth, const DepthCamera& camera);
+
+}  // namespace boomwatch
