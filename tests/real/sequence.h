@@ -4,25 +4,35 @@
 #include <QtTest>
 #include <chrono>
 #include <functional>
+#include <limits>
+#include <vector>
 
 #include "pipeline/pipeline.h"
 #include "sources/frame_source.h"
 
 namespace boomwatch::test {
 
-/// Runs the whole chain over a recording and hands every result, with the pipeline, to `look`.
-/// Returns the frames that were processed.
-inline std::size_t runSequence(const QString& address,
-                               const std::function<Parameters(std::size_t)>& parameters,
+/// Frames `first` to `last` - 1 of a recording.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+};
+
+/// Runs the whole chain over stretches of a recording, or to its end, and hands every result, with
+/// the pipeline, to `look`. Returns the frames that were processed.
+inline std::size_t runSequence(const QString& address, const Parameters& parameters,
                                const std::function<void(const Result&, const Pipeline&)>& look,
-                               std::size_t frames = std::numeric_limits<std::size_t>::max()) {
+                               const std::vector<Stretch>& stretches = {Stretch{}}) {
   const auto source = openSource(address.toStdString());
   Pipeline pipeline;
   std::size_t count = 0;
-  for (; count < frames; ++count) {
-    const ReadResult read = source->next(std::chrono::seconds(1));
-    if (read.status != ReadResult::Status::Ok) break;
-    look(pipeline.process(read.frame, parameters(count)), pipeline);
+  for (const Stretch& stretch : stretches) {
+    if (stretch.first > 0 && !source->seek(stretch.first)) return count;
+    for (std::size_t frame = stretch.first; frame < stretch.last; ++frame, ++count) {
+      const ReadResult read = source->next(std::chrono::seconds(1));
+      if (read.status != ReadResult::Status::Ok) break;
+      look(pipeline.process(read.frame, parameters), pipeline);
+    }
   }
   return count;
 }

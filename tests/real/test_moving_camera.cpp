@@ -23,9 +23,8 @@ void TestMovingCamera::saysThatTheSceneMovesRatherThanTrustTheModel() {
   parameters.load.source = LoadSource::Manual;
   parameters.load.z = 6.0;
   std::size_t moving = 0, measured = 0, clear = 0;
-  const std::size_t frames = runSequence(
-      "stereo:" + recording, [&](std::size_t) { return parameters; },
-      [&](const Result& result, const Pipeline&) {
+  const std::size_t frames =
+      runSequence("stereo:" + recording, parameters, [&](const Result& result, const Pipeline&) {
         moving += result.clearance.reason == Reason::SceneMoves;
         measured += result.clearance.nearest.has_value();
         clear += result.level != WarningLevel::NoDistance;
