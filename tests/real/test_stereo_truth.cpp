@@ -31,7 +31,7 @@ cv::Mat openCvDisparity(const StereoSet& set, const StereoParameters& p) {
                          p.speckleRange, cv::StereoSGBM::MODE_SGBM_3WAY)
       ->compute(left, right, fixed);
   fixed.convertTo(disparity, CV_32F, 1.0 / 16);
-  disparity.setTo(std::numeric_limits<float>::quiet_NaN(), fixed <= 0);
+  disparity.setTo(std::numeric_limits<float>::quiet_NaN(), fixed < 16 * p.minDisparity);
   return disparity;
 }
 
