@@ -2,7 +2,6 @@
 
 #include <opencv2/core.hpp>
 #include <optional>
-#include <vector>
 
 namespace boomwatch {
 
