@@ -14,6 +14,7 @@ class SceneMotion {
   /// `image`: CV_8UC1 or CV_8UC3, any size. Absent for the first image, after a change of size, and
   /// where too few corners could be followed to tell (dark, blank, blurred).
   std::optional<double> shareMoved(const cv::Mat& image);
+  /// Forgets the picture before.
   void reset();
 
  private:

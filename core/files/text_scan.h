@@ -10,6 +10,7 @@
 
 namespace boomwatch {
 
+/// ASCII alone, whatever the locale.
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// In small letters; letters outside ASCII stay.

@@ -42,7 +42,7 @@ Stamps readStamps(const fs::path& file, std::size_t count) {
     if (parts.empty() || parts.front().starts_with('#')) continue;
     const auto seconds = toNumber<double>(parts.front());
     if (!seconds || !std::isfinite(*seconds) || (!stamps.empty() && *seconds < stamps.back())) {
-      throw Error(file.string() + " line " + std::to_string(number),
+      throw Error(file.string() + ", line " + std::to_string(number),
                   "this is not a time in seconds after the line above", "Correct or remove it.");
     }
     stamps.push_back(*seconds);
