@@ -92,6 +92,7 @@ class StereoSource : public FrameSource {
   bool seek(std::size_t index) override {
     if (index >= m_stamps.size()) return false;
     m_next = index;
+    m_cutOffSaid = false;
     return true;
   }
 
@@ -99,9 +100,9 @@ class StereoSource : public FrameSource {
     if (m_next >= m_stamps.size()) return {};
     const StreamImage left = m_left->read(m_next);
     const StreamImage right = m_right->read(m_next);
-    if (left.end || right.end) return {};
+    if (left.end || right.end) return endedEarly(left.end ? left : right);
     const std::size_t index = m_next++;
-    const std::string fault = faultOf(left, right);
+    const std::string fault = faultOf(index, left, right);
     if (!fault.empty()) return {ReadResult::Status::Bad, nullptr, fault, 0};
     auto frame = std::make_shared<Frame>();
     frame->sequence = index;
@@ -135,16 +136,32 @@ class StereoSource : public FrameSource {
     }
   }
 
-  std::string faultOf(const StreamImage& left, const StreamImage& right) {
+  /// The promised number of frames is an estimate in some containers: a few less are the end,
+  /// more are a recording that was cut off, and that must be said.
+  ReadResult endedEarly(const StreamImage& image) {
+    constexpr std::size_t tolerated = 2;
+    const bool estimated = m_next + tolerated >= m_stamps.size();
+    if (estimated || m_cutOffSaid) return {};
+    m_cutOffSaid = true;
+    const std::string promised = std::to_string(m_stamps.size());
+    return {ReadResult::Status::Bad, nullptr,
+            image.fault + " of " + promised + ". The file is truncated or damaged: copy it again.",
+            0};
+  }
+
+  std::string faultOf(std::size_t index, const StreamImage& left, const StreamImage& right) {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
     const cv::Size size = left.image.size();
+    const std::string pair = m_info.address + ", pair " + std::to_string(index + 1) + ": ";
     if (size != right.image.size()) {
-      return "left is " + text(size) + " and right is " + text(right.image.size());
+      return pair + "left is " + text(size) + " and right is " + text(right.image.size()) +
+             ". Both must have the same size.";
     }
     if (!m_size) m_size = size;
     if (size == *m_size) return "";
-    return "the pictures changed from " + text(*m_size) + " to " + text(size);
+    return pair + "the pictures changed from " + text(*m_size) + " to " + text(size) +
+           ". All pictures of a recording must have the same size.";
   }
 
   std::shared_ptr<const StereoRig> m_rig;
@@ -154,6 +171,7 @@ class StereoSource : public FrameSource {
   SourceInfo m_info;
   std::optional<cv::Size> m_size;  ///< absent until the first pair that could be read
   std::size_t m_next = 0;
+  bool m_cutOffSaid = false;  ///< since the last seek
 };
 
 }  // namespace
