@@ -108,4 +108,17 @@ double ObservedShare::query(const OrientedBox& box, double reach) const {
   return m_seenTo[m_geometry.index(column, row)] >= boxLevel;
 }
 
+double watchedDepth(const OrientedBox& box, double reach, const Bounds& bounds) {
+  if (!isUsable(box) || !std::isfinite(reach)) return 0;
+  const double half = box.rotation.row(2).cwiseAbs().dot(box.size) / 2;
+  const double front = box.centre.z() - half, back = box.centre.z() + half;
+  const auto watched = [](double room, double wanted) {
+    if (room < 0) return 0.0;
+    return room >= wanted ? 1.0 : room / wanted;
+  };
+  const double toCamera = std::max(front - std::min(bounds.zMin, 0.0), 0.0);
+  return std::min(watched(front - bounds.zMin, std::min(reach, toCamera)),
+                  watched(bounds.zMax - back, reach));
+}
+
 }  // namespace boomwatch

@@ -32,4 +32,10 @@ class ObservedShare {
   std::vector<std::uint8_t> m_seenTo;
 };
 
+/// How much of the `reach` metres before and behind the box lies between zMin and zMax, 0..1, on
+/// the side that is the worse: what is nearer or farther than the bounds is not watched, as little
+/// as what lies beside them. Behind the camera there is nothing to watch. 0 when the box is not one
+/// or `reach` is no finite number; a negative reach counts as 0.
+double watchedDepth(const OrientedBox& box, double reach, const Bounds& bounds);
+
 }  // namespace boomwatch

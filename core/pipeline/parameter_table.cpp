@@ -185,7 +185,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::filter, &F::lowPassMinimum>(
         "low_pass_minimum",
         {TR("Filter"), TR("Neighbours needed"), TR("radius: neighbours a point must have")},
-        {1, 1000, 1}),
+        {1, 200, 1}),
     row<&P::filter, &F::clusterTolerance>(
         "cluster_tolerance",
         {TR("Filter"), TR("Cluster tolerance"), TR("Points nearer than this belong together"), "m"},
@@ -216,7 +216,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::stereo, &S::uniqueness>("stereo_uniqueness",
                                     {TR("Stereo"), TR("Uniqueness"),
                                      TR("By how much the best match must beat the second"), "%"},
-                                    {0, 100, 1}),
+                                    {0, 99, 1}),
     row<&P::stereo, &S::consistency>(
         "stereo_consistency",
         {TR("Stereo"), TR("Consistency"),
@@ -263,7 +263,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
         "min_observed",
         {TR("Validity"), TR("Smallest observed share"),
          TR("Share of the load's neighbourhood that must have been observed")},
-        {0, 1, 0.05}),
+        {0.01, 1, 0.05}),
 });
 #undef TR
 

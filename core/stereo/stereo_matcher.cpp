@@ -36,6 +36,8 @@ void checkParameters(const StereoParameters& p) {
           fix);
   require(p.preFilterCap >= 1 && p.preFilterCap <= 63, "stereo_prefilter_cap",
           std::to_string(p.preFilterCap) + " is not between 1 and 63", fix);
+  // OpenCV's StereoSGBM divides by 100 - uniqueness.
+  require(p.uniqueness < 100, "stereo_uniqueness", "it is not below 100", fix);
   require(p.uniqueness >= 0 && p.texture >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0,
           "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range",
           "one of them is negative", fix);

@@ -184,6 +184,24 @@ class TestObservedShare : public QObject {
     QCOMPARE(share.query(box, 0.3), 1.0);
   }
 
+  void depthIsWatchedBetweenTheBoundsOnly() {
+    const Bounds bounds{-2, 2, -2, 2, 1, 5};
+    const auto at = [](double z) { return OrientedBox{{0, 0, z}, {1, 0.4, 0.6}}; };
+    QCOMPARE(watchedDepth(at(3), 1, bounds), 1.0);
+    QCOMPARE(watchedDepth(at(4.2), 1, bounds), 0.5);        // 0.5 m of the metre behind it
+    QCOMPARE(watchedDepth(at(4.7), 1, bounds), 0.0);        // it touches the far bound
+    QCOMPARE(watchedDepth(at(4.7), 0, bounds), 1.0);        // and nothing more is asked for
+    QCOMPARE(watchedDepth(at(4.8), 0, bounds), 0.0);        // it stands out of it
+    QCOMPARE(watchedDepth(at(1.8), 1, bounds), 0.5);        // 0.5 m of the metre before it
+    QCOMPARE(watchedDepth(at(1.8), 10, bounds), 2.9 / 10);  // the camera is 1.5 m before it
+    const OrientedBox standing{
+        {0, 0, 4.2}, {1, 0.4, 0.6}, rotationFromYawPitchRoll(M_PI / 2, 0, 0)};
+    QVERIFY(std::abs(watchedDepth(standing, 1, bounds) - 0.3) < 1e-9);
+    const Bounds fromCamera{-2, 2, -2, 2, 0, 5};
+    QCOMPARE(watchedDepth(at(0.4), 1, fromCamera), 1.0);  // nothing is behind the camera
+    QCOMPARE(watchedDepth(at(3), std::nan(""), bounds), 0.0);
+  }
+
   void claimsNothingForWhatIsNoBoxOrNoReach() {
     const auto model = observed(grid, [](int, int) { return true; });
     const OrientedBox good{{0, 0, 2}, {1, 0.4, 0.6}};
