@@ -56,6 +56,7 @@ bool anyPairBelow(std::span<const Vector3f> a, std::span<const Vector3f> b, floa
 bool touch(std::span<Vector3f> a, std::span<Vector3f> b, float limit) {
   constexpr std::size_t fewPairs = 64;
   if (a.size() * b.size() <= fewPairs) return anyPairBelow(a, b, limit);
+  if (squared(a.front() - b.front()) < limit) return true;
   const Box boxA = boxAround(a);
   const Box boxB = boxAround(b);
   // Rounding is monotonic, so these bounds hold for the rounded distances as well.
@@ -89,18 +90,34 @@ class CellJoiner {
  private:
   void joinAll() {
     for (const auto& row : m_grid.rows) joinWithin(row);
+    flatten();
     const std::uint64_t layer = m_grid.rowsPerLayer;
-    // Half of the 24 rows around a row, nearest first; the other half find this one.
-    for (const std::uint64_t step :
-         {std::uint64_t{1}, layer, layer - 1, layer + 1, std::uint64_t{2}, layer - 2, layer + 2,
-          2 * layer, 2 * layer - 1, 2 * layer + 1, 2 * layer - 2, 2 * layer + 2}) {
+    // Half of the eight rows around a row; the other half find this one.
+    for (const std::uint64_t step : {std::uint64_t{1}, layer, layer - 1, layer + 1}) {
       auto other = m_grid.rows.begin();
       for (const auto& row : m_grid.rows) {
         while (other != m_grid.rows.end() && other->key < row.key + step) ++other;
         if (other == m_grid.rows.end()) break;
-        if (other->key == row.key + step) joinRows(row, *other);
+        if (other->key == row.key + step && !joined(row, *other)) joinRows(row, *other);
       }
+      flatten();
     }
+  }
+
+  /// Lets every cell name its root, so that most pairs are told apart by one comparison.
+  void flatten() {
+    // In this order, because a parent never comes after its children.
+    for (std::uint32_t& parent : m_parent) parent = m_parent[parent];
+  }
+
+  /// All of the cells of both rows, as far as parents tell.
+  bool joined(const PointGrid::Row& row, const PointGrid::Row& other) const {
+    const std::uint32_t parent = m_parent[row.begin];
+    const auto same = [parent](std::uint32_t p) { return p == parent; };
+    const auto cells = m_parent.begin();
+    return m_parent[other.begin] == parent &&
+           std::all_of(cells + row.begin, cells + row.end, same) &&
+           std::all_of(cells + other.begin, cells + other.end, same);
   }
 
   void joinWithin(const PointGrid::Row& row) {
@@ -112,16 +129,16 @@ class CellJoiner {
   void joinRows(const PointGrid::Row& row, const PointGrid::Row& other) {
     std::uint32_t first = other.begin;
     for (std::uint32_t a = row.begin; a < row.end; ++a) {
-      while (first < other.end && m_grid.cells[first].x + 2 < m_grid.cells[a].x) ++first;
+      while (first < other.end && columnOf(first) + 2 < columnOf(a)) ++first;
       for (std::uint32_t b = first; b < other.end && near(a, b); ++b) join(a, b);
     }
   }
 
-  bool near(std::uint32_t a, std::uint32_t b) const {
-    return m_grid.cells[b].x <= m_grid.cells[a].x + 2;
-  }
+  std::uint32_t columnOf(std::uint32_t cell) const { return m_grid.cells[cell].place / 4; }
+  bool near(std::uint32_t a, std::uint32_t b) const { return columnOf(b) <= columnOf(a) + 2; }
 
   void join(std::uint32_t a, std::uint32_t b) {
+    if (m_parent[a] == m_parent[b]) return;
     const std::uint32_t rootA = rootOf(a);
     const std::uint32_t rootB = rootOf(b);
     if (rootA == rootB || !touch(pointsOf(a), pointsOf(b), m_limit)) return;
@@ -129,7 +146,7 @@ class CellJoiner {
   }
 
   std::span<Vector3f> pointsOf(std::uint32_t cell) {
-    const auto& [x, begin, end] = m_grid.cells[cell];
+    const auto& [place, begin, end] = m_grid.cells[cell];
     return std::span(m_grid.points).subspan(begin, end - begin);
   }
 
@@ -150,21 +167,22 @@ Clusters allApart(std::span<const Vector3f> points) {
   return clusters;
 }
 
-/// Numbers clusters in the order in which the points, `rootOfPoint`, first name them.
-Clusters numbered(const std::vector<std::int64_t>& rootOfPoint, std::size_t cells) {
+/// Numbers clusters in the order in which the points first name them. `labels` holds the root cell
+/// of every point, or noCluster; there are `cells` of them.
+Clusters numbered(std::vector<std::int32_t> labels, std::size_t cells) {
   Clusters clusters;
-  clusters.labels.assign(rootOfPoint.size(), Clusters::noCluster);
   std::vector<std::int32_t> labelOfRoot(cells, Clusters::noCluster);
-  for (std::size_t i = 0; i < rootOfPoint.size(); ++i) {
-    if (rootOfPoint[i] < 0) continue;
-    std::int32_t& label = labelOfRoot[static_cast<std::size_t>(rootOfPoint[i])];
-    if (label == Clusters::noCluster) {
-      label = static_cast<std::int32_t>(clusters.sizes.size());
+  for (std::int32_t& label : labels) {
+    if (label == Clusters::noCluster) continue;
+    std::int32_t& number = labelOfRoot[static_cast<std::size_t>(label)];
+    if (number == Clusters::noCluster) {
+      number = static_cast<std::int32_t>(clusters.sizes.size());
       clusters.sizes.push_back(0);
     }
-    clusters.labels[i] = label;
-    ++clusters.sizes[static_cast<std::size_t>(label)];
+    label = number;
+    ++clusters.sizes[static_cast<std::size_t>(number)];
   }
+  clusters.labels = std::move(labels);
   return clusters;
 }
 
@@ -178,26 +196,17 @@ Clusters euclideanClusters(std::span<const Vector3f> points, float tolerance) {
   const double reach = std::min(tolerance, largest);
   const auto limit = static_cast<float>(reach * reach);
 
-  Points finite;
-  std::vector<std::uint32_t> source;
-  finite.reserve(points.size());
-  source.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!isMeasured(points[i])) continue;
-    finite.push_back(points[i]);
-    source.push_back(static_cast<std::uint32_t>(i));
-  }
   // The diagonal of a cell is shorter than the tolerance by more than rounding can make up for.
-  PointGrid grid = sortIntoCells(finite, reach / (std::sqrt(3.0) * 1.00001));
+  PointGrid grid = sortIntoCells(points, reach / (std::sqrt(3.0) * 1.00001));
   CellJoiner joiner(grid, limit);
-  std::vector<std::int64_t> rootOfPoint(points.size(), Clusters::noCluster);
+  std::vector<std::int32_t> rootOfPoint(points.size(), Clusters::noCluster);
   for (std::uint32_t cell = 0; cell < grid.cells.size(); ++cell) {
-    const std::uint32_t root = joiner.rootOf(cell);
+    const auto root = static_cast<std::int32_t>(joiner.rootOf(cell));
     for (std::uint32_t k = grid.cells[cell].begin; k < grid.cells[cell].end; ++k) {
-      rootOfPoint[source[grid.order[k]]] = root;
+      rootOfPoint[grid.order[k]] = root;
     }
   }
-  return numbered(rootOfPoint, grid.cells.size());
+  return numbered(std::move(rootOfPoint), grid.cells.size());
 }
 
 }  // namespace boomwatch

@@ -68,8 +68,8 @@ std::optional<Hit> cast(const Cylinder& cylinder, const Vector3d& origin,
                         const Vector3d& direction) {
   const Vector3d from = origin - cylinder.centre;
   if (cylinder.distanceTo(origin) <= 0.0) return std::nullopt;
-  const auto side = castSide(cylinder, from, direction);
-  const auto end = castEnd(cylinder, from, direction);
+  auto side = castSide(cylinder, from, direction);
+  auto end = castEnd(cylinder, from, direction);
   if (!side || (end && end->depth < side->depth)) return end;
   return side;
 }

@@ -3,54 +3,46 @@
 #include <cmath>
 
 #include "frame/error.h"
-#include "sources/file_bytes.h"
+#include "sources/opencv_file.h"
 
 namespace boomwatch {
 namespace {
-
-constexpr std::size_t maxFile = 1 << 20;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
   throw Error(file.string(), what,
               "Give OpenCV's YAML or XML with camera_matrix, or fx, fy, cx and cy.");
 }
 
-cv::Mat matrixIn(const cv::FileStorage& storage, const std::filesystem::path& file) {
+cv::Mat matrixIn(const OpencvFile& content, const std::filesystem::path& file) {
   for (const char* key : {"camera_matrix", "M1", "intrinsic", "K"}) {
-    const cv::FileNode node = storage[key];
-    if (node.empty()) continue;
-    const cv::Mat matrix = node.mat();
-    if (matrix.rows != 3 || matrix.cols != 3 || matrix.channels() != 1) {
-      refuse(file, std::string(key) + " is not a 3 x 3 matrix");
-    }
-    cv::Mat result;
-    matrix.convertTo(result, CV_64F);
-    return result;
+    const auto found = content.matrices.find(key);
+    if (found == content.matrices.end()) continue;
+    if (found->second.size() == cv::Size(3, 3)) return found->second;
+    refuse(file, std::string(key) + " is not a 3 x 3 matrix");
   }
   return {};
 }
 
-double numberIn(const cv::FileStorage& storage, const char* key,
-                const std::filesystem::path& file) {
-  const cv::FileNode node = storage[key];
-  if (node.isReal() || node.isInt()) return node.real();
+double numberIn(const OpencvFile& content, const char* key, const std::filesystem::path& file) {
+  const auto found = content.numbers.find(key);
+  if (found != content.numbers.end()) return found->second;
   refuse(file, std::string(key) + " is missing or not a number");
 }
 
-DepthCamera parse(const cv::FileStorage& storage, const std::filesystem::path& file) {
+DepthCamera parse(const OpencvFile& content, const std::filesystem::path& file) {
   DepthCamera camera;
-  const cv::Mat matrix = matrixIn(storage, file);
+  const cv::Mat matrix = matrixIn(content, file);
   if (!matrix.empty()) {
     camera = {matrix.at<double>(0, 0), matrix.at<double>(1, 1), matrix.at<double>(0, 2),
               matrix.at<double>(1, 2)};
-  } else if (storage["fx"].empty()) {
-    refuse(file, "there is no camera_matrix, M1, intrinsic or K, and no fx");
+  } else if (content.numbers.contains("fx")) {
+    camera = {content.numbers.at("fx"), numberIn(content, "fy", file),
+              numberIn(content, "cx", file), numberIn(content, "cy", file)};
   } else {
-    camera = {numberIn(storage, "fx", file), numberIn(storage, "fy", file),
-              numberIn(storage, "cx", file), numberIn(storage, "cy", file)};
+    refuse(file, "there is neither a matrix camera_matrix, M1, intrinsic or K, nor a number fx");
   }
-  if (!storage["depth_factor"].empty()) {
-    camera.unitsPerMetre = numberIn(storage, "depth_factor", file);
+  if (content.numbers.contains("depth_factor")) {
+    camera.unitsPerMetre = content.numbers.at("depth_factor");
   }
   return camera;
 }
@@ -67,15 +59,7 @@ void check(const DepthCamera& camera, const std::filesystem::path& file) {
 }  // namespace
 
 DepthCamera readDepthCamera(const std::filesystem::path& file) {
-  const std::string text = readFileBytes(file, maxFile);
-  DepthCamera camera;
-  try {
-    const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    if (!storage.isOpened()) refuse(file, "it is neither YAML, XML nor JSON as OpenCV writes it");
-    camera = parse(storage, file);
-  } catch (const cv::Exception& fault) {
-    refuse(file, "it is not as OpenCV writes it: " + fault.err);
-  }
+  const DepthCamera camera = parse(readOpencvFile(file), file);
   check(camera, file);
   return camera;
 }

@@ -39,7 +39,7 @@ bool isFolder(const fs::path& folder) {
 fs::path findIntrinsics(const fs::path& folder) {
   for (const char* name : {"intrinsics", "camera", "calibration"}) {
     for (const char* extension : {".yaml", ".yml", ".xml", ".json"}) {
-      const fs::path file = folder / (std::string(name) + extension);
+      fs::path file = folder / (std::string(name) + extension);
       if (isFile(file)) return file;
     }
   }

@@ -1,27 +1,19 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sources/image_stream.h"
 
 namespace boomwatch {
 
-/// Orders names as people number them: "2" before "10".
-bool naturallyLess(std::string_view a, std::string_view b);
-
 /// The pictures in a folder, in natural order. Throws Error when it cannot be listed.
 std::vector<std::filesystem::path> imagesIn(const std::filesystem::path& folder);
 
 /// The last number in a file's name, as digits without leading zeros; absent if there is none.
 std::optional<std::string> numberIn(const std::filesystem::path& file);
-
-/// Seconds, where the file's name is a time in nanoseconds since 1970 (EuRoC); absent otherwise.
-std::optional<double> stampIn(const std::filesystem::path& file);
 
 /// Picture files as one camera's recording.
 class ImageSequence : public ImageStream {

@@ -8,6 +8,7 @@
 
 #include "frame/error.h"
 #include "sources/bounded_image.h"
+#include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
 
 namespace boomwatch {
@@ -43,16 +44,6 @@ bool isVideo(const fs::path& file) {
                                                   ".mkv", ".webm", ".mpg", ".mpeg"};
   const auto extension = lower(file.extension().string());
   return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
-Paths videosIn(const fs::path& folder) {
-  Paths files;
-  std::error_code fault;
-  for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
-    if (isVideo(at->path())) files.push_back(at->path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 enum class Side { Neither, Left, Right };
@@ -93,7 +84,8 @@ void checkNumbers(const StereoFiles& files) {
   const auto first = numberIn(files.left.front()), last = numberIn(files.left.back());
   if (!first || first == last) return;  // names that do not count
   for (std::size_t i = 0; i < files.left.size(); ++i) {
-    const auto left = stampIn(files.left[i]), right = stampIn(files.right[i]);
+    const auto left = stampFromName(files.left[i].stem().string());
+    const auto right = stampFromName(files.right[i].stem().string());
     const bool fits = left && right ? std::abs(*left - *right) <= largestSkew
                                     : numberIn(files.left[i]) == numberIn(files.right[i]);
     if (fits) continue;
@@ -136,7 +128,7 @@ std::optional<StereoFiles> folderPair(const fs::path& folder) {
 
 StereoFiles filesOfFolder(const fs::path& folder) {
   if (auto files = folderPair(folder)) return *files;
-  const Paths videos = videosIn(folder);
+  const Paths videos = listFiles(folder, isVideo);
   const Paths pictures = imagesIn(folder);
   for (const bool video : {true, false}) {
     for (const Rule rule : {byWord, byLetter, byView}) {

@@ -1,13 +1,14 @@
 #include "sources/stereo_source.h"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <vector>
 
 #include "frame/error.h"
+#include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
 #include "sources/stereo_files.h"
+#include "sources/text_scan.h"
 #include "sources/video_stream.h"
 #include "stereo/calibration.h"
 
@@ -33,24 +34,20 @@ StereoRig calibrationOf(const StereoFiles& files, const SourceOptions& options) 
               "Middlebury) into it, or name one with --calibration.");
 }
 
-// Seconds, the first number of each line; '#' begins a comment.
-Stamps stampsFromFile(const fs::path& file, std::size_t count) {
+// Seconds, the first word of each line; '#' begins a comment.
+Stamps readStamps(const fs::path& file, std::size_t count) {
   Stamps stamps;
   std::ifstream stream(file);
   std::string line;
   for (std::size_t number = 1; stamps.size() < count && std::getline(stream, line); ++number) {
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos || line[begin] == '#') continue;
-    double value = 0;
-    const auto [end, fault] =
-        std::from_chars(line.data() + begin, line.data() + line.size(), value);
-    const bool good =
-        fault == std::errc() && std::isfinite(value) && (stamps.empty() || value >= stamps.back());
-    if (!good) {
+    const auto parts = words(line);
+    if (parts.empty() || parts.front().starts_with('#')) continue;
+    const auto seconds = toNumber<double>(parts.front());
+    if (!seconds || !std::isfinite(*seconds) || (!stamps.empty() && *seconds < stamps.back())) {
       throw Error(file.string() + " line " + std::to_string(number),
                   "this is not a time in seconds after the line above", "Correct or remove it.");
     }
-    stamps.push_back(value);
+    stamps.push_back(*seconds);
   }
   if (stamps.size() == count) return stamps;
   throw Error(file.string(),
@@ -59,17 +56,16 @@ Stamps stampsFromFile(const fs::path& file, std::size_t count) {
               "Complete it, or remove it.");
 }
 
-Stamps stampsOf(const StereoFiles& files, std::size_t count, double rate) {
+Stamps pairStamps(const StereoFiles& files, std::size_t count, double rate) {
   for (const char* name : {"timestamps.txt", "times.txt"}) {
-    if (fs::is_regular_file(files.folder / name)) {
-      return stampsFromFile(files.folder / name, count);
+    std::error_code fault;
+    if (fs::is_regular_file(files.folder / name, fault)) {
+      return readStamps(files.folder / name, count);
     }
   }
-  Stamps stamps;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto named = files.video ? std::nullopt : stampIn(files.left[i]);
-    stamps.push_back(named.value_or(static_cast<double>(i) / rate));
-  }
+  if (!files.video) return stampsOf(files.left, rate);
+  Stamps stamps(count);
+  for (std::size_t i = 0; i < count; ++i) stamps[i] = static_cast<double>(i) / rate;
   return stamps;
 }
 
@@ -86,7 +82,7 @@ class StereoSource : public FrameSource {
     m_right = openStream(files.right, files.video);
     checkStreams(files);
     const double rate = m_left->rate().value_or(imageRate);
-    m_stamps = stampsOf(files, m_left->count(), rate);
+    m_stamps = pairStamps(files, m_left->count(), rate);
     m_info = {std::move(address), m_left->count(), meanRate(m_stamps, rate), false};
     if (!m_rig->imageSize.empty()) m_size = m_rig->imageSize;
   }

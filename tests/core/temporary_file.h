@@ -19,6 +19,7 @@ class TemporaryFolder {
   std::filesystem::path write(const QString& name, const QByteArray& bytes) const {
     const QString file = m_folder.filePath(name);
     QDir().mkpath(QFileInfo(file).path());
+    QFile::remove(file);  // rewriting in place is flushed to disk by some file systems
     QFile out(file);
     if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size()) {
       qFatal("cannot write %s", qPrintable(file));

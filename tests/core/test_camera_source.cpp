@@ -33,14 +33,14 @@ int freePort() {
   return bound ? ntohs(address.sin_port) : 0;
 }
 
-/// A stream on loopback for as long as it lives.
+/// A stream on loopback for as long as it lives; two minutes at most, should the test die first.
 class Sender {
  public:
   explicit Sender(const QString& filter) {
     m_url = QString("udp://127.0.0.1:%1").arg(freePort());
-    m_process.start("ffmpeg",
-                    {"-loglevel", "quiet", "-re", "-f", "lavfi", "-i", filter, "-c:v", "mpeg2video",
-                     "-b:v", "4M", "-g", "5", "-f", "mpegts", m_url + "?pkt_size=1316"});
+    m_process.start("ffmpeg", {"-loglevel", "quiet", "-re", "-f", "lavfi", "-i", filter, "-t",
+                               "120", "-c:v", "mpeg2video", "-b:v", "4M", "-g", "5", "-f", "mpegts",
+                               m_url + "?pkt_size=1316"});
     m_process.waitForStarted();
   }
   ~Sender() { stop(); }

@@ -167,8 +167,11 @@ class TestDepthSource : public QObject {
     row("a word", "intrinsics.yaml", "%YAML:1.0\nfx: wide\nfy: 1.0\ncx: 3.0\ncy: 1.0\n", "fx");
     row("zero focal length", "intrinsics.yaml", "%YAML:1.0\nfx: 0.0\nfy: 1.0\ncx: 3.0\ncy: 1.0\n",
         "focal length");
-    row("not finite", "intrinsics.yaml", "%YAML:1.0\nfx: .nan\nfy: 1.0\ncx: 3.0\ncy: 1.0\n",
-        "focal length");
+    row("broken XML", "intrinsics.xml", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<fx>1</f",
+        "line 3");
+    row("nested XML", "intrinsics.xml", QByteArray("<a>").repeated(300000), "too many tags");
+    row("nested YAML", "intrinsics.yaml", QByteArray(900000, '['), "intrinsics.yaml");
+    row("not finite", "intrinsics.yaml", "%YAML:1.0\nfx: .nan\nfy: 1.0\ncx: 3.0\ncy: 1.0\n", "fx");
     row("factor", "intrinsics.yaml", intrinsics + "depth_factor: 0\n", "depth_factor");
     row("small matrix", "intrinsics.yaml",
         "%YAML:1.0\nK: !!opencv-matrix\n  rows: 1\n  cols: 1\n  dt: d\n  data: [ 1. ]\n", "3 x 3");

@@ -86,9 +86,9 @@ class TestExactClearance : public QObject {
     scenes::Random random(1);
     // Sizes that are and are not multiples of the pyramid's fan, one of them a single line.
     const GridGeometry geometries[] = {
-        {{-2, 2, -1.5, 1.5, 0, 10}, 0.05}, {{-3.2, 3.2, -3.2, 1.6, -0.4, 8}, 0.07},
+        {{-2, 2, -1.5, 1.5, 0, 10}, 0.05}, {{-3.2, 3.2, -3.2, 1.6, -0.4, 8}, 0.13},
         {{0, 1.03, -8, 8, 0, 10}, 0.1},    {{-5, 5, 0, 0.1, 1, 9}, 0.1},
-        {{-2, 2, -2, 2, 0, 10}, 0.0625},
+        {{-2, 2, -2, 2, 0, 10}, 0.125},
     };
     for (const GridGeometry& geometry : geometries) {
       compare(scenes::forest(geometry, random, 6), 500, random);

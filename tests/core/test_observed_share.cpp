@@ -81,12 +81,12 @@ class TestObservedShare : public QObject {
         observed(coarse, [&](int, int) { return scenes::uniform(random, 0, 1) < 0.6; });
     ObservedShare share;
     share.rebuild(model);
-    for (int n = 0; n < 200; ++n) {
+    for (int n = 0; n < 100; ++n) {
       OrientedBox box = scenes::anyLoad(coarse.bounds(), random);
       if (n % 5 == 0) box.size[n % 3] = 0;
       if (n % 7 == 0) box.size.setZero();
       const double reach = n % 4 == 0 ? 0.0 : scenes::uniform(random, 0.1, 1.5);
-      const double truth = cellByCell(model, box, reach, 40);
+      const double truth = cellByCell(model, box, reach, 26);
       if (std::isnan(truth)) continue;  // no cell's centre within: tested below
       QVERIFY2(
           std::abs(share.query(box, reach) - truth) < 1e-12,
