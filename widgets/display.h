@@ -1,9 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <QImage>
 #include <QMetaType>
+#include <QPointF>
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/result.h"
@@ -20,20 +24,66 @@ struct DisplayOptions {
   MapColouring maps = MapColouring::Grey;
 };
 
+/// Where a point of the camera frame (metres) falls in the left image (pixels): u = fx x/z + cx.
+struct PinholeProjection {
+  double fx = 0.0;
+  double fy = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+
+  /// For z > 0 only.
+  QPointF operator()(const Eigen::Vector3d& p) const {
+    return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy};
+  }
+};
+
+/// The measured points inside the bounds, without gaps: what the cloud view draws. They lie in
+/// layers, each an even sample of all, so that the first few layers can stand for the whole where
+/// there is no time to draw it.
+struct DrawnCloud {
+  static constexpr std::size_t layerCount = 13;
+  using Rgba = std::array<std::uint8_t, 4>;
+  std::vector<Eigen::Vector3f> points;              ///< camera frame, metres; all finite
+  std::vector<Rgba> colours;                        ///< one a point, opaque
+  std::array<std::size_t, layerCount> layerEnds{};  ///< points in this layer and those before it
+};
+
 /// A result made ready to be drawn. Made on the worker thread, so that the GUI thread never
 /// computes; immutable once made.
 struct Display {
   ResultPtr result;
+  DisplayOptions options;
   QImage camera;       ///< left image; null if there is none
-  QImage probability;  ///< a pixel a cell; null if there is no model
-  QImage model;        ///< a pixel a cell, nearer is brighter, never observed told apart
-  std::vector<std::uint8_t> cloudColours;  ///< RGB a point of result->cloud
+  QImage probability;  ///< a pixel a cell, transparent where never observed; null without a model
+  QImage model;        ///< as probability; nearer is brighter, free is darker than any depth
+  DrawnCloud cloud;
+  CloudColouring cloudColouring = CloudColouring::Depth;  ///< Depth where Image was impossible
+  /// Fitted to the organised cloud itself; absent where the cloud is no pinhole's.
+  std::optional<PinholeProjection> projection;
 };
 
 using DisplayPtr = std::shared_ptr<const Display>;
 
-/// Pure; any thread.
+/// Pure; any thread. Never null; `result` may be.
 DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options);
+
+/// The pinhole that maps the measured points of an organised cloud onto their pixels, by least
+/// squares over a sample; absent when there are too few or they do not fit to two pixels.
+std::optional<PinholeProjection> fitPinhole(const Cloud& cloud);
+
+/// 256 colours, brighter with the index: 255 is the nearest or the most probable.
+std::array<DrawnCloud::Rgba, 256> colourTable(MapColouring colouring);
+
+/// Indices into colourTable. An observed cell with nothing in it is darker than every depth.
+inline constexpr std::uint8_t freeBrightness = 20;
+inline constexpr std::uint8_t farthestBrightness = 64;  ///< of an occupied cell
+inline constexpr std::uint8_t darkestPointColour = 70;  ///< of a point of the cloud
+
+/// The colour of a depth level 1..255: nearer is brighter.
+std::uint8_t brightnessOfLevel(std::uint8_t level);
+
+/// The probability that is shown brightest: what Eq. 8 tends to when a cell is always hit.
+double highestProbability(const ModelParameters& parameters);
 
 }  // namespace boomwatch
 

@@ -28,7 +28,7 @@ struct StereoParameters {
   int speckleRange = 2;     ///< disparity step inside a piece
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
-  double texture = 0.4;
+  double texture = 0.2;
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.

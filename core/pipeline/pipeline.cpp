@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "collision/exact_clearance.h"
+#include "collision/nearest_pair.h"
 #include "collision/observed_share.h"
 #include "collision/ray_clearance.h"
 #include "frame/error.h"
@@ -28,19 +29,13 @@ class StageClock {
   std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
 };
 
-bool isUsable(const OrientedBox& box) {
-  return box.centre.allFinite() && box.size.allFinite() && (box.size.array() >= 0.0).all() &&
-         box.rotation.allFinite();
-}
-
 std::optional<OrientedBox> loadOf(const Frame& frame, const LoadParameters& parameters) {
-  const auto box =
-      parameters.source == LoadSource::Manual ? std::optional(parameters.box()) : frame.load;
-  return box && isUsable(*box) ? box : std::nullopt;
+  if (parameters.source == LoadSource::Manual) return parameters.box();
+  return frame.load;
 }
 
 Reason loadFault(const std::optional<OrientedBox>& load, const Bounds& bounds) {
-  if (!load) return Reason::NoLoad;
+  if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
 }
 

@@ -290,7 +290,7 @@ class TestStereoMatcher : public QObject {
       p.speckleWindow = random.uniform(0, 1000);
       p.speckleRange = random.uniform(0, 101);
       p.preFilterCap = random.uniform(1, 64);
-      p.textureThreshold = random.uniform(0, 10001);
+      p.texture = random.uniform(0.0, 50.0);
       try {
         QCOMPARE(matchDisparity(image, image, p).size(), image.size());
       } catch (const Error& fault) {

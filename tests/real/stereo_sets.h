@@ -23,8 +23,9 @@ struct StereoSet {
 /// Disparities in an image of whole numbers, `scale` a pixel, 0 = none; or a float image, inf =
 /// none.
 inline cv::Mat readTruth(const QString& file, double scale) {
-  const cv::Mat stored = cv::imread(file.toStdString(), cv::IMREAD_UNCHANGED);
-  cv::Mat truth;
+  cv::Mat stored, truth;
+  // Some sets store grey in three channels.
+  cv::extractChannel(cv::imread(file.toStdString(), cv::IMREAD_UNCHANGED), stored, 0);
   stored.convertTo(truth, CV_32F, 1.0 / scale);
   for (float& d : cv::Mat_<float>(truth)) {
     if (!(d > 0.0F && d < 1e4F)) d = std::numeric_limits<float>::quiet_NaN();

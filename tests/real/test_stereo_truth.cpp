@@ -31,12 +31,17 @@ cv::Mat openCvDisparity(const StereoSet& set, const StereoParameters& p) {
                          p.speckleRange, cv::StereoSGBM::MODE_SGBM_3WAY)
       ->compute(left, right, fixed);
   fixed.convertTo(disparity, CV_32F, 1.0 / 16);
-  disparity.setTo(std::numeric_limits<float>::quiet_NaN(), fixed <= 0);
+  disparity.setTo(std::numeric_limits<float>::quiet_NaN(), fixed < 16 * p.minDisparity);
   return disparity;
 }
 
-/// Share of the matched pixels with truth that are wrong by more than a pixel.
-double wrongShare(const cv::Mat& disparity, const cv::Mat& truth) {
+/// Among the matched pixels with truth, those wrong by more than a pixel.
+struct Wrong {
+  std::size_t pixels = 0;
+  double share = 1.0;
+};
+
+Wrong wrongPixels(const cv::Mat& disparity, const cv::Mat& truth) {
   std::size_t wrong = 0, compared = 0;
   for (int row = 0; row < truth.rows; ++row) {
     for (int column = 0; column < truth.cols; ++column) {
@@ -46,16 +51,17 @@ double wrongShare(const cv::Mat& disparity, const cv::Mat& truth) {
       wrong += std::abs(error) > 1.0F;
     }
   }
-  return compared == 0 ? 1.0 : static_cast<double>(wrong) / static_cast<double>(compared);
+  if (compared == 0) return {};
+  return {wrong, static_cast<double>(wrong) / static_cast<double>(compared)};
 }
 
-/// Eq. 5 on the truth.
-Points truthCloud(const StereoSet& set) {
+/// Eq. 5 on the truth, from column `first` on.
+Points truthCloud(const StereoSet& set, int first) {
   const double f = set.rig.leftMatrix(0, 0);
   const double cx = set.rig.leftMatrix(0, 2), cy = set.rig.leftMatrix(1, 2);
   Points points;
   for (int row = 0; row < set.truth.rows; ++row) {
-    for (int column = 0; column < set.truth.cols; ++column) {
+    for (int column = first; column < set.truth.cols; ++column) {
       const double d = set.truth.at<float>(row, column);
       if (!std::isfinite(d)) continue;
       const double z = f * set.rig.baseline() / d;
@@ -151,21 +157,33 @@ void TestStereoTruth::initTestCase() {
   if (m_sets.empty()) QSKIP("neither opencv-doc nor the recordings are here");
 }
 
+/// With the same settings: no larger share wrong. With our own texture check on top: none wrong
+/// that OpenCV's has right, so no more of them.
 void TestStereoTruth::disparityIsNoWorseThanOpenCvs() {
   for (const StereoSet& set : m_sets) {
     StereoStage stage;
-    const double ours =
-        wrongShare(stage.process(set.left, set.right, set.rig, settings(set)).disparity, set.truth);
-    const double theirs = wrongShare(openCvDisparity(set, settings(set)), set.truth);
-    qInfo("%-20s wrong by more than 1 px: %.2f %%, OpenCV %.2f %%", qPrintable(set.name),
-          100 * ours, 100 * theirs);
-    QVERIFY2(ours <= theirs, qPrintable(set.name));
+    const auto wrongWith = [&](double texture) {
+      StereoParameters parameters = settings(set);
+      parameters.texture = texture;
+      return wrongPixels(stage.process(set.left, set.right, set.rig, parameters).disparity,
+                         set.truth);
+    };
+    const Wrong theirs = wrongPixels(openCvDisparity(set, settings(set)), set.truth);
+    const Wrong plain = wrongWith(0.0), ours = wrongWith(StereoParameters{}.texture);
+    qInfo("%-20s wrong by more than 1 px: %.2f %%, OpenCV %.2f %%, pixels %zu, OpenCV %zu",
+          qPrintable(set.name), 100 * plain.share, 100 * theirs.share, ours.pixels, theirs.pixels);
+    QVERIFY2(plain.share <= theirs.share, qPrintable(set.name));
+    QVERIFY2(ours.pixels <= theirs.pixels, qPrintable(set.name));
   }
 }
 
+/// Accuracy is judged on what the pair can see: left of column `disparities` the match of a near
+/// thing lies outside the right image. That nothing is left out silently is judged on all of the
+/// truth: a distance that is longer than it must come with a share below nine tenths.
 void TestStereoTruth::clearanceAgreesWithTheTruth() {
   for (const StereoSet& set : m_sets) {
-    const Points truth = truthCloud(set);
+    const Points truth = truthCloud(set, 0);
+    const Points reachable = truthCloud(set, set.disparities);
     const Parameters parameters = parametersFor(set, truth);
     StereoStage stage;
     const StereoResult stereo = stage.process(set.left, set.right, set.rig, parameters.stereo);
@@ -179,7 +197,8 @@ void TestStereoTruth::clearanceAgreesWithTheTruth() {
     int longer = 0;
     for (int i = 0; i < 20; ++i) {
       const OrientedBox box = randomBox(truth, parameters, random);
-      const TruthDistance expected = bruteForce(truth, parameters.bounds, box);
+      const TruthDistance full = bruteForce(truth, parameters.bounds, box);
+      const TruthDistance expected = bruteForce(reachable, parameters.bounds, box);
       const Result result = pipeline.process(frameOf(stereo, sequence++, box), parameters);
       const double quarterPixel =
           0.25 * expected.z * expected.z / (set.rig.leftMatrix(0, 0) * set.rig.baseline());
@@ -190,7 +209,8 @@ void TestStereoTruth::clearanceAgreesWithTheTruth() {
       }
       const double error = (result.clearance.nearest->distance - expected.distance) / tolerance;
       errors.push_back(std::abs(error));
-      longer += error > 3.0 && *result.clearance.observedShare > 0.5;
+      longer += result.clearance.nearest->distance > full.distance + 3 * tolerance &&
+                *result.clearance.observedShare > 0.9;
     }
     QVERIFY2(errors.size() >= 10, qPrintable(set.name));
     std::sort(errors.begin(), errors.end());

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QDialog>
+
+namespace boomwatch {
+
+/// One page: what the window shows, what it does not know, and the keys. GUI thread.
+class HelpDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit HelpDialog(QWidget* parent = nullptr);
+};
+
+}  // namespace boomwatch

@@ -1,0 +1,1260 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;Source</source>
+        <translation>&amp;Quelle</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo recording...</source>
+        <translation>&amp;Stereoaufnahme...</translation>
+    </message>
+    <message>
+        <source>&amp;Point clouds...</source>
+        <translation>&amp;Punktwolken...</translation>
+    </message>
+    <message>
+        <source>&amp;Depth recording...</source>
+        <translation>&amp;Tiefenaufnahme...</translation>
+    </message>
+    <message>
+        <source>&amp;Camera...</source>
+        <translation>&amp;Kamera...</translation>
+    </message>
+    <message>
+        <source>Demo: slanted &amp;floor</source>
+        <translation>Demo: schräger &amp;Boden</translation>
+    </message>
+    <message>
+        <source>Demo: four c&amp;ylinders</source>
+        <translation>Demo: vier &amp;Zylinder</translation>
+    </message>
+    <message>
+        <source>Demo: &amp;wall</source>
+        <translation>Demo: &amp;Wand</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>B&amp;eenden</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Cloud coloured by</source>
+        <translation>&amp;Wolke gefärbt nach</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Maps coloured in</source>
+        <translation>&amp;Karten gefärbt in</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Reset 3-D view</source>
+        <translation>3-D-Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the maps</source>
+        <translation>Karten &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Light theme</source>
+        <translation>&amp;Helle Darstellung</translation>
+    </message>
+    <message>
+        <source>Reset la&amp;yout</source>
+        <translation>An&amp;ordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>S&amp;napshot</source>
+        <translation>&amp;Bild speichern</translation>
+    </message>
+    <message>
+        <source>Save a picture of the whole window (Ctrl+S)</source>
+        <translation>Ein Bild des ganzen Fensters speichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>Panes</name>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Probability map</source>
+        <translation>Wahrscheinlichkeitskarte</translation>
+    </message>
+    <message>
+        <source>Environment model</source>
+        <translation>Umgebungsmodell</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x von</translation>
+    </message>
+    <message>
+        <source>Left limit of the watched space</source>
+        <translation>Linke Grenze des überwachten Raums</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x bis</translation>
+    </message>
+    <message>
+        <source>Right limit of the watched space</source>
+        <translation>Rechte Grenze des überwachten Raums</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y von</translation>
+    </message>
+    <message>
+        <source>Upper limit of the watched space (y points down)</source>
+        <translation>Obere Grenze des überwachten Raums (y zeigt nach unten)</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y bis</translation>
+    </message>
+    <message>
+        <source>Lower limit of the watched space (y points down)</source>
+        <translation>Untere Grenze des überwachten Raums (y zeigt nach unten)</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z von</translation>
+    </message>
+    <message>
+        <source>Nearest distance that is watched</source>
+        <translation>Kleinste Entfernung, die überwacht wird</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z bis</translation>
+    </message>
+    <message>
+        <source>Farthest distance that is watched</source>
+        <translation>Größte Entfernung, die überwacht wird</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Side of a cell of the environment model (R)</source>
+        <translation>Seitenlänge einer Zelle des Umgebungsmodells (R)</translation>
+    </message>
+    <message>
+        <source>probtresh</source>
+        <translation>probtresh</translation>
+    </message>
+    <message>
+        <source>A cell must be more probable than this to count (P_limit)</source>
+        <translation>Wahrscheinlichkeit, die eine Zelle überschreiten muss, um zu zählen (P_limit)</translation>
+    </message>
+    <message>
+        <source>p prior</source>
+        <translation>p prior</translation>
+    </message>
+    <message>
+        <source>Probability that a hit adds (Eq. 8)</source>
+        <translation>Wahrscheinlichkeit, die ein Treffer hinzufügt (Gl. 8)</translation>
+    </message>
+    <message>
+        <source>p post</source>
+        <translation>p post</translation>
+    </message>
+    <message>
+        <source>Share of the probability left after each frame (Eq. 8)</source>
+        <translation>Anteil der Wahrscheinlichkeit, der nach jedem Bild bleibt (Gl. 8)</translation>
+    </message>
+    <message>
+        <source>Memory limit</source>
+        <translation>Speichergrenze</translation>
+    </message>
+    <message>
+        <source>Memory that the model may take</source>
+        <translation>Speicher, den das Modell belegen darf</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Freiraum</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>exact: every cell; rays: the thesis&apos;s search rays, which miss what lies between them</source>
+        <translation>exact: jede Zelle; rays: die Suchstrahlen der Masterarbeit, die übersehen, was zwischen ihnen liegt</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>Abstand der Strahlen</translation>
+    </message>
+    <message>
+        <source>rays: cells between two search rays (I)</source>
+        <translation>rays: Zellen zwischen zwei Suchstrahlen (I)</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Strahllänge</translation>
+    </message>
+    <message>
+        <source>rays: length of a search ray (L)</source>
+        <translation>rays: Länge eines Suchstrahls (L)</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>exact: beyond this there is nothing in range</source>
+        <translation>exact: jenseits davon gilt nichts mehr als in Reichweite</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Caution below</source>
+        <translation>Vorsicht unter</translation>
+    </message>
+    <message>
+        <source>The bar begins here</source>
+        <translation>Hier beginnt der Balken</translation>
+    </message>
+    <message>
+        <source>Warning below</source>
+        <translation>Warnung unter</translation>
+    </message>
+    <message>
+        <source>The warning begins here</source>
+        <translation>Hier beginnt die Warnung</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Load given by</source>
+        <translation>Last gegeben durch</translation>
+    </message>
+    <message>
+        <source>scene: only what the source itself knows; manual: the values below</source>
+        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Centre of the load, to the right of the camera</source>
+        <translation>Mitte der Last, rechts von der Kamera</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>Centre of the load, below the camera</source>
+        <translation>Mitte der Last, unterhalb der Kamera</translation>
+    </message>
+    <message>
+        <source>Centre z</source>
+        <translation>Mitte z</translation>
+    </message>
+    <message>
+        <source>Centre of the load, in front of the camera</source>
+        <translation>Mitte der Last, vor der Kamera</translation>
+    </message>
+    <message>
+        <source>Size x</source>
+        <translation>Größe x</translation>
+    </message>
+    <message>
+        <source>Full size along the load&apos;s own x</source>
+        <translation>Volle Größe entlang der eigenen x-Achse der Last</translation>
+    </message>
+    <message>
+        <source>Size y</source>
+        <translation>Größe y</translation>
+    </message>
+    <message>
+        <source>Full size along the load&apos;s own y</source>
+        <translation>Volle Größe entlang der eigenen y-Achse der Last</translation>
+    </message>
+    <message>
+        <source>Size z</source>
+        <translation>Größe z</translation>
+    </message>
+    <message>
+        <source>Full size along the load&apos;s own z</source>
+        <translation>Volle Größe entlang der eigenen z-Achse der Last</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Turn about y, first</source>
+        <translation>Drehung um y, zuerst</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Turn about x, second</source>
+        <translation>Drehung um x, als zweite</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Turn about z, third</source>
+        <translation>Drehung um z, als dritte</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>z reprojection</source>
+        <translation>z-Umprojektion</translation>
+    </message>
+    <message>
+        <source>Move every kept point to this z</source>
+        <translation>Jeden behaltenen Punkt auf dieses z verschieben</translation>
+    </message>
+    <message>
+        <source>Low pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>Remove outliers; slow</source>
+        <translation>Ausreißer entfernen; langsam</translation>
+    </message>
+    <message>
+        <source>Low pass method</source>
+        <translation>Tiefpassverfahren</translation>
+    </message>
+    <message>
+        <source>statistical: by mean distance to the neighbours; radius: by number of neighbours</source>
+        <translation>statistical: nach mittlerem Abstand zu den Nachbarn; radius: nach Zahl der Nachbarn</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>statistical: neighbours looked at</source>
+        <translation>statistical: betrachtete Nachbarn</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>statistical: standard deviations allowed</source>
+        <translation>statistical: erlaubte Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>Neighbour radius</source>
+        <translation>Nachbarradius</translation>
+    </message>
+    <message>
+        <source>radius: how far a neighbour may be</source>
+        <translation>radius: wie weit ein Nachbar entfernt sein darf</translation>
+    </message>
+    <message>
+        <source>Neighbours needed</source>
+        <translation>Nötige Nachbarn</translation>
+    </message>
+    <message>
+        <source>radius: neighbours a point must have</source>
+        <translation>radius: Nachbarn, die ein Punkt haben muss</translation>
+    </message>
+    <message>
+        <source>Cluster tolerance</source>
+        <translation>Gruppenabstand</translation>
+    </message>
+    <message>
+        <source>Points nearer than this belong together</source>
+        <translation>Punkte, die näher beieinander liegen, gehören zusammen</translation>
+    </message>
+    <message>
+        <source>Cluster minimum</source>
+        <translation>Kleinste Gruppe</translation>
+    </message>
+    <message>
+        <source>Smaller clusters are noise and go</source>
+        <translation>Kleinere Gruppen sind Rauschen und entfallen</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Matcher</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>sgbm: semi-global, 3-way; bm: block matching, faster and sparser</source>
+        <translation>sgbm: semi-global, 3 Richtungen; bm: Blockvergleich, schneller und lückenhafter</translation>
+    </message>
+    <message>
+        <source>Smallest disparity</source>
+        <translation>Kleinste Disparität</translation>
+    </message>
+    <message>
+        <source>Disparity at which the search begins</source>
+        <translation>Disparität, bei der die Suche beginnt</translation>
+    </message>
+    <message>
+        <source>Disparities</source>
+        <translation>Disparitäten</translation>
+    </message>
+    <message>
+        <source>Disparities searched, a multiple of 16; more sees nearer</source>
+        <translation>Durchsuchte Disparitäten, ein Vielfaches von 16; mehr sieht näher</translation>
+    </message>
+    <message>
+        <source>Block size</source>
+        <translation>Blockgröße</translation>
+    </message>
+    <message>
+        <source>Side of the matched block, odd; bm needs at least 5</source>
+        <translation>Seite des verglichenen Blocks, ungerade; bm braucht mindestens 5</translation>
+    </message>
+    <message>
+        <source>Uniqueness</source>
+        <translation>Eindeutigkeit</translation>
+    </message>
+    <message>
+        <source>By how much the best match must beat the second</source>
+        <translation>Um wie viel die beste Zuordnung die zweite übertreffen muss</translation>
+    </message>
+    <message>
+        <source>Consistency</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>Difference allowed between left and right; -1 is off</source>
+        <translation>Erlaubter Unterschied zwischen links und rechts; -1 ist aus</translation>
+    </message>
+    <message>
+        <source>Speckle window</source>
+        <translation>Fleckengröße</translation>
+    </message>
+    <message>
+        <source>Smaller connected pieces are removed; 0 is off</source>
+        <translation>Kleinere zusammenhängende Stücke werden entfernt; 0 ist aus</translation>
+    </message>
+    <message>
+        <source>Speckle range</source>
+        <translation>Fleckenstufe</translation>
+    </message>
+    <message>
+        <source>Disparity step inside a piece</source>
+        <translation>Disparitätssprung innerhalb eines Stücks</translation>
+    </message>
+    <message>
+        <source>Prefilter cap</source>
+        <translation>Vorfiltergrenze</translation>
+    </message>
+    <message>
+        <source>Truncation of the gradient before matching</source>
+        <translation>Begrenzung des Gradienten vor der Zuordnung</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Areas with less mean gradient are not matched: over-exposed, unlit or blank ones give no depth; 0 is off</source>
+        <translation>Flächen mit kleinerem mittleren Gradienten werden nicht zugeordnet: überbelichtete, dunkle oder leere geben keine Tiefe; 0 ist aus</translation>
+    </message>
+    <message>
+        <source>Validity</source>
+        <translation>Gültigkeit</translation>
+    </message>
+    <message>
+        <source>Frame age</source>
+        <translation>Bildalter</translation>
+    </message>
+    <message>
+        <source>Longer without a frame, and there is no distance</source>
+        <translation>Länger ohne Bild, und es gibt keinen Abstand</translation>
+    </message>
+    <message>
+        <source>Identical frames</source>
+        <translation>Gleiche Bilder</translation>
+    </message>
+    <message>
+        <source>This many equal frames in a row mean a frozen source</source>
+        <translation>So viele gleiche Bilder nacheinander bedeuten eine eingefrorene Quelle</translation>
+    </message>
+    <message>
+        <source>Smallest fill</source>
+        <translation>Kleinste Füllung</translation>
+    </message>
+    <message>
+        <source>Share of pixels that must have a depth</source>
+        <translation>Anteil der Bildpunkte, die eine Tiefe haben müssen</translation>
+    </message>
+    <message>
+        <source>Scene motion</source>
+        <translation>Bildbewegung</translation>
+    </message>
+    <message>
+        <source>If a larger share of the picture moves, the camera moves; 1 is off</source>
+        <translation>Bewegt sich ein größerer Anteil des Bildes, bewegt sich die Kamera; 1 ist aus</translation>
+    </message>
+    <message>
+        <source>Smallest observed share</source>
+        <translation>Kleinster gesehener Anteil</translation>
+    </message>
+    <message>
+        <source>Share of the load&apos;s neighbourhood that must have been observed</source>
+        <translation>Anteil der Umgebung der Last, der gesehen worden sein muss</translation>
+    </message>
+</context>
+<context>
+    <name>StateText</name>
+    <message>
+        <source>no frame yet</source>
+        <translation>noch kein Bild</translation>
+    </message>
+    <message>
+        <source>this is frame %1</source>
+        <translation>das ist Bild %1</translation>
+    </message>
+    <message>
+        <source>this is frame %1 of %2</source>
+        <translation>das ist Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Live: %1</source>
+        <translation>Live: %1</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>Aufnahme: %1</translation>
+    </message>
+    <message>
+        <source>Paused: %1, not what is there now.</source>
+        <translation>Angehalten: %1, nicht was jetzt da ist.</translation>
+    </message>
+    <message>
+        <source>End of the recording: %1, not what is there now.</source>
+        <translation>Ende der Aufnahme: %1, nicht was jetzt da ist.</translation>
+    </message>
+    <message>
+        <source>%1 is lost. Play opens it again.</source>
+        <translation>%1 ist verloren. Abspielen öffnet sie wieder.</translation>
+    </message>
+    <message>
+        <source>NOTHING OPEN</source>
+        <translation>NICHTS OFFEN</translation>
+    </message>
+    <message>
+        <source>OPENING</source>
+        <translation>ÖFFNET</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>LIVE</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>AUFNAHME</translation>
+    </message>
+    <message>
+        <source>PAUSED</source>
+        <translation>ANGEHALTEN</translation>
+    </message>
+    <message>
+        <source>END</source>
+        <translation>ENDE</translation>
+    </message>
+    <message>
+        <source>LOST</source>
+        <translation>VERLOREN</translation>
+    </message>
+    <message>
+        <source>Opening %1... Until then, %2 goes on.</source>
+        <translation>%1 wird geöffnet... Bis dahin läuft %2 weiter.</translation>
+    </message>
+    <message>
+        <source>Opening %1...</source>
+        <translation>%1 wird geöffnet...</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Choose a source, or drop a recording here.</source>
+        <translation>Nichts ist offen. Eine Quelle wählen oder eine Aufnahme hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Rebuilding the model...</source>
+        <translation>Das Modell wird neu aufgebaut...</translation>
+    </message>
+    <message>
+        <source>The model is rebuilt with the next frame. </source>
+        <translation>Das Modell wird mit dem nächsten Bild neu aufgebaut. </translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>No picture arrives</source>
+        <translation>Kein Bild kommt an</translation>
+    </message>
+    <message>
+        <source>Unreadable frame</source>
+        <translation>Bild nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Frozen picture</source>
+        <translation>Bild eingefroren</translation>
+    </message>
+    <message>
+        <source>Too little depth</source>
+        <translation>Zu wenig Tiefe</translation>
+    </message>
+    <message>
+        <source>Camera moves</source>
+        <translation>Kamera bewegt sich</translation>
+    </message>
+    <message>
+        <source>No load</source>
+        <translation>Keine Last</translation>
+    </message>
+    <message>
+        <source>Load out of bounds</source>
+        <translation>Last außerhalb</translation>
+    </message>
+    <message>
+        <source>Model is building</source>
+        <translation>Modell entsteht</translation>
+    </message>
+    <message>
+        <source>Nothing seen here</source>
+        <translation>Hier nichts gesehen</translation>
+    </message>
+    <message>
+        <source>Nothing has arrived from the source. Check camera and cable, or press play.</source>
+        <translation>Von der Quelle ist nichts angekommen. Kamera und Kabel prüfen oder abspielen.</translation>
+    </message>
+    <message>
+        <source>The source could not read this frame. Check the recording or the camera.</source>
+        <translation>Die Quelle konnte dieses Bild nicht lesen. Aufnahme oder Kamera prüfen.</translation>
+    </message>
+    <message>
+        <source>The source repeats one picture. Check the camera, then reopen it.</source>
+        <translation>Die Quelle wiederholt ein Bild. Kamera prüfen, dann neu öffnen.</translation>
+    </message>
+    <message>
+        <source>Too few pixels have a depth. Check light, lenses and calibration.</source>
+        <translation>Zu wenige Bildpunkte haben eine Tiefe. Licht, Objektive und Kalibrierung prüfen.</translation>
+    </message>
+    <message>
+        <source>The picture moves as a whole. Hold the camera still and wait.</source>
+        <translation>Das Bild bewegt sich als Ganzes. Kamera ruhig halten und warten.</translation>
+    </message>
+    <message>
+        <source>Nobody has said where the load is. Set it among the parameters.</source>
+        <translation>Niemand hat gesagt, wo die Last ist. Bei den Parametern angeben.</translation>
+    </message>
+    <message>
+        <source>The load is not inside the bounds. Move it or widen the bounds.</source>
+        <translation>Die Last ist nicht innerhalb der Grenzen. Bewegen oder die Grenzen weiten.</translation>
+    </message>
+    <message>
+        <source>Too few frames so far. Wait a moment; if it stays so, lower probtresh.</source>
+        <translation>Bisher zu wenige Bilder. Kurz warten; bleibt es so, probtresh senken.</translation>
+    </message>
+    <message>
+        <source>Nothing around the load was ever seen. Turn the camera towards it.</source>
+        <translation>Um die Last wurde nie etwas gesehen. Die Kamera darauf richten.</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Kollision</translation>
+    </message>
+    <message>
+        <source>No distance</source>
+        <translation>Kein Abstand</translation>
+    </message>
+    <message>
+        <source>stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>tracking</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>Freiraum</translation>
+    </message>
+    <message>
+        <source>validity</source>
+        <translation>Gültigkeit</translation>
+    </message>
+    <message>
+        <source>inside the load</source>
+        <translation>in der Last</translation>
+    </message>
+    <message>
+        <source>a face of the load</source>
+        <translation>einer Fläche der Last</translation>
+    </message>
+    <message>
+        <source>an edge of the load</source>
+        <translation>einer Kante der Last</translation>
+    </message>
+    <message>
+        <source>a corner of the load</source>
+        <translation>einer Ecke der Last</translation>
+    </message>
+    <message>
+        <source>never observed</source>
+        <translation>nie gesehen</translation>
+    </message>
+    <message>
+        <source>observed free</source>
+        <translation>frei gesehen</translation>
+    </message>
+    <message>
+        <source>occupied</source>
+        <translation>belegt</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::CameraView</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Click, or arrows and Enter: this is the tool.
+Right click or Escape: forget it.</source>
+        <translation>Klick oder Pfeile und Eingabe: das ist das Werkzeug.
+Rechtsklick oder Escape: vergessen.</translation>
+    </message>
+    <message>
+        <source>No picture has arrived.</source>
+        <translation>Es ist kein Bild angekommen.</translation>
+    </message>
+    <message>
+        <source>This source has no picture.</source>
+        <translation>Diese Quelle hat kein Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::DistanceBar</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>zu %1</translation>
+    </message>
+    <message>
+        <source>nothing within %1 m</source>
+        <translation>nichts innerhalb von %1 m</translation>
+    </message>
+    <message>
+        <source>all around it was seen</source>
+        <translation>ringsum alles gesehen</translation>
+    </message>
+    <message>
+        <source>%1 % around it never seen: may be nearer</source>
+        <translation>%1 % ringsum nie gesehen: kann näher sein</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Distance: %1, %2</source>
+        <translation>Abstand: %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::HelpDialog</name>
+    <message>
+        <source>&lt;h3&gt;What you see&lt;/h3&gt;&lt;p&gt;The bar on the left is the distance from the load to the nearest thing in the model of the surroundings. It begins to fill at the caution distance and is full at a collision. Hatched means that there is no distance; the reason stands beside it.&lt;/p&gt;&lt;p&gt;The point cloud is what the camera measures now: the watched space in green, the load in violet, points taken out as moving in red, and the nearest pair joined by a line. The probability map says how sure the model is of each cell; the environment model shows how far away each one is, nearer being brighter, and hatched where nothing was ever seen.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Was zu sehen ist&lt;/h3&gt;&lt;p&gt;Der Balken links ist der Abstand von der Last zum nächsten Ding im Modell der Umgebung. Er beginnt sich beim Vorsichtsabstand zu füllen und ist bei einer Kollision voll. Schraffiert heißt, dass es keinen Abstand gibt; der Grund steht dabei.&lt;/p&gt;&lt;p&gt;Die Punktwolke ist, was die Kamera jetzt misst: der überwachte Raum in Grün, die Last in Violett, als bewegt herausgenommene Punkte in Rot, und das nächste Punktepaar durch eine Linie verbunden. Die Wahrscheinlichkeitskarte sagt, wie sicher sich das Modell bei jeder Zelle ist; das Umgebungsmodell zeigt, wie weit jede entfernt ist, näher ist heller, und schraffiert ist, was nie gesehen wurde.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;What it does not know&lt;/h3&gt;&lt;ul&gt;&lt;li&gt;What is behind a surface. Each cell holds the surface that is nearest to the camera, nothing behind it.&lt;/li&gt;&lt;li&gt;What was never observed: hidden, too dark, too bright or without texture. The share of the neighbourhood that was observed stands at the bar.&lt;/li&gt;&lt;li&gt;What has only just appeared. A thing must be seen in several frames in a row before it enters the model.&lt;/li&gt;&lt;li&gt;What is taken out with the load and the boom: shown in red, not in the distance.&lt;/li&gt;&lt;li&gt;Anything, when the camera moves: the model is made for one that stands still.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A picture that is paused or ended is not what is there now. The words over the bar say so.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Was es nicht weiß&lt;/h3&gt;&lt;ul&gt;&lt;li&gt;Was hinter einer Fläche ist. Jede Zelle enthält die Fläche, die der Kamera am nächsten ist, nichts dahinter.&lt;/li&gt;&lt;li&gt;Was nie gesehen wurde: verdeckt, zu dunkel, zu hell oder ohne Textur. Der gesehene Anteil der Umgebung steht am Balken.&lt;/li&gt;&lt;li&gt;Was eben erst aufgetaucht ist. Ein Ding muss in mehreren Bildern nacheinander zu sehen sein, bevor es ins Modell gelangt.&lt;/li&gt;&lt;li&gt;Was mit Last und Ausleger herausgenommen wird: rot gezeigt, nicht im Abstand enthalten.&lt;/li&gt;&lt;li&gt;Irgendetwas, wenn sich die Kamera bewegt: Das Modell ist für eine gemacht, die stillsteht.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Ein Bild, das angehalten oder zu Ende ist, zeigt nicht, was jetzt da ist. Das Wort über dem Balken sagt es.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Keys&lt;/h3&gt;&lt;table cellpadding=&apos;3&apos;&gt;&lt;tr&gt;&lt;td&gt;Space&lt;/td&gt;&lt;td&gt;play or pause&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;. and ,&lt;/td&gt;&lt;td&gt;one frame on, one frame back&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;L&lt;/td&gt;&lt;td&gt;begin again at the end&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Ctrl+O&lt;/td&gt;&lt;td&gt;open a recording&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Ctrl+S&lt;/td&gt;&lt;td&gt;save a picture of the window&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;R&lt;/td&gt;&lt;td&gt;reset the 3-D view&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F&lt;/td&gt;&lt;td&gt;fit the maps&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Click in the camera picture&lt;/td&gt;&lt;td&gt;this is the tool; right click: it is not&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</source>
+        <translation>&lt;h3&gt;Tasten&lt;/h3&gt;&lt;table cellpadding=&apos;3&apos;&gt;&lt;tr&gt;&lt;td&gt;Leertaste&lt;/td&gt;&lt;td&gt;abspielen oder anhalten&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;. und ,&lt;/td&gt;&lt;td&gt;ein Bild weiter, ein Bild zurück&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;L&lt;/td&gt;&lt;td&gt;am Ende von vorn beginnen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Strg+O&lt;/td&gt;&lt;td&gt;eine Aufnahme öffnen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Strg+S&lt;/td&gt;&lt;td&gt;ein Bild des Fensters speichern&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;R&lt;/td&gt;&lt;td&gt;3-D-Ansicht zurücksetzen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;F&lt;/td&gt;&lt;td&gt;Karten einpassen&lt;/td&gt;&lt;/tr&gt;&lt;tr&gt;&lt;td&gt;Klick ins Kamerabild&lt;/td&gt;&lt;td&gt;das ist das Werkzeug; Rechtsklick: ist es nicht&lt;/td&gt;&lt;/tr&gt;&lt;/table&gt;</translation>
+    </message>
+    <message>
+        <source>Boomwatch: help</source>
+        <translation>Boomwatch: Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::Legend</name>
+    <message>
+        <source>Colours from %1 to %2</source>
+        <translation>Farben von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::MainWindow</name>
+    <message>
+        <source>Boomwatch</source>
+        <translation>Boomwatch</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>%1 - Boomwatch</source>
+        <translation>%1 - Boomwatch</translation>
+    </message>
+    <message>
+        <source>Not opened: %1</source>
+        <translation>Nicht geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>Lost: %1</source>
+        <translation>Verloren: %1</translation>
+    </message>
+    <message>
+        <source>Parameters not in force: %1</source>
+        <translation>Parameter nicht in Kraft: %1</translation>
+    </message>
+    <message>
+        <source>Frame not used: %1</source>
+        <translation>Bild nicht verwendet: %1</translation>
+    </message>
+    <message>
+        <source>The tool is set with the next frame.</source>
+        <translation>Das Werkzeug gilt ab dem nächsten Bild.</translation>
+    </message>
+    <message>
+        <source>Save a picture of the window</source>
+        <translation>Ein Bild des Fensters speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording that can be opened. Drop a folder with left and right pictures, with depth pictures, or with PCD or PLY files.</source>
+        <translation>%1 ist keine Aufnahme, die geöffnet werden kann. Einen Ordner mit linken und rechten Bildern, mit Tiefenbildern oder mit PCD- oder PLY-Dateien hierher ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::MapView</name>
+    <message>
+        <source>Probability map</source>
+        <translation>Wahrscheinlichkeitskarte</translation>
+    </message>
+    <message>
+        <source>Environment model</source>
+        <translation>Umgebungsmodell</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Es gibt noch kein Modell.</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::ParameterDock</name>
+    <message>
+        <source>Presets (*.yaml *.yml)</source>
+        <translation>Voreinstellungen (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>At or above p_prior / (1 - p_post), the highest probability a cell can reach: nothing enters the model.</source>
+        <translation>Nicht kleiner als p_prior / (1 - p_post), die höchste Wahrscheinlichkeit, die eine Zelle erreichen kann: nichts gelangt ins Modell.</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search parameters</source>
+        <translation>Parameter suchen</translation>
+    </message>
+    <message>
+        <source>Load...</source>
+        <translation>Laden...</translation>
+    </message>
+    <message>
+        <source>Load a preset</source>
+        <translation>Eine Voreinstellung laden</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern...</translation>
+    </message>
+    <message>
+        <source>Save these values as a preset</source>
+        <translation>Diese Werte als Voreinstellung speichern</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurück</translation>
+    </message>
+    <message>
+        <source>Every parameter back to its default</source>
+        <translation>Jeden Parameter auf seinen Standard zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Not in force until these agree: %1</source>
+        <translation>Nicht in Kraft, bis diese zusammenpassen: %1</translation>
+    </message>
+    <message>
+        <source>Not in force</source>
+        <translation>Nicht in Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::ParameterEditor</name>
+    <message>
+        <source>%1 to %2%3</source>
+        <translation>%1 bis %2%3</translation>
+    </message>
+    <message>
+        <source>off, or %1</source>
+        <translation>aus, oder %1</translation>
+    </message>
+    <message>
+        <source>%1
+%2: %3</source>
+        <translation>%1
+%2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::ParameterRow</name>
+    <message>
+        <source>Back to the default</source>
+        <translation>Zurück zum Standard</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::PlayerBar</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame on</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>%1x</source>
+        <translation>%1x</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>schnellstens</translation>
+    </message>
+    <message>
+        <source>Speed of a recording; fastest: as fast as frames can be processed</source>
+        <translation>Tempo einer Aufnahme; schnellstens: so schnell, wie Bilder verarbeitet werden können</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Position in the recording</source>
+        <translation>Stelle in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Playing</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::PointCloudView</name>
+    <message>
+        <source>depth %1</source>
+        <translation>Tiefe %1</translation>
+    </message>
+    <message>
+        <source>height, y = %1</source>
+        <translation>Höhe, y = %1</translation>
+    </message>
+    <message>
+        <source>coloured as in the picture</source>
+        <translation>gefärbt wie im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::SourceDialog</name>
+    <message>
+        <source>A folder with left and right pictures or videos</source>
+        <translation>Ein Ordner mit linken und rechten Bildern oder Videos</translation>
+    </message>
+    <message>
+        <source>A PCD or PLY file, or a folder of them</source>
+        <translation>Eine PCD- oder PLY-Datei, oder ein Ordner davon</translation>
+    </message>
+    <message>
+        <source>A folder with colour and depth pictures</source>
+        <translation>Ein Ordner mit Farb- und Tiefenbildern</translation>
+    </message>
+    <message>
+        <source>LEFT,RIGHT: device numbers or stream addresses, or one of both</source>
+        <translation>LINKS,RECHTS: Gerätenummern oder Adressen, oder eine für beide</translation>
+    </message>
+    <message>
+        <source>Folder...</source>
+        <translation>Ordner...</translation>
+    </message>
+    <message>
+        <source>File...</source>
+        <translation>Datei...</translation>
+    </message>
+    <message>
+        <source>Open a source</source>
+        <translation>Eine Quelle öffnen</translation>
+    </message>
+    <message>
+        <source>Stereo recording</source>
+        <translation>Stereoaufnahme</translation>
+    </message>
+    <message>
+        <source>Point clouds</source>
+        <translation>Punktwolken</translation>
+    </message>
+    <message>
+        <source>Depth recording</source>
+        <translation>Tiefenaufnahme</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>&amp;Where</source>
+        <translation>&amp;Wo</translation>
+    </message>
+    <message>
+        <source>the one that lies with the recording</source>
+        <translation>die, die bei der Aufnahme liegt</translation>
+    </message>
+    <message>
+        <source>C&amp;alibration</source>
+        <translation>&amp;Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Point clouds (*.pcd *.ply)</source>
+        <translation>Punktwolken (*.pcd *.ply)</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.yaml *.yml *.xml *.txt);;All files (*)</source>
+        <translation>Kalibrierungen (*.yaml *.yml *.xml *.txt);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::StateLine</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::StatusStrip</name>
+    <message>
+        <source>✓ valid</source>
+        <translation>✓ gültig</translation>
+    </message>
+    <message>
+        <source>✕ no distance: %1</source>
+        <translation>✕ kein Abstand: %1</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>%1 ms frame to bar</source>
+        <translation>%1 ms vom Bild zum Balken</translation>
+    </message>
+    <message>
+        <source>not shown %1, lost %2</source>
+        <translation>nicht gezeigt %1, verloren %2</translation>
+    </message>
+    <message>
+        <source>Frames that were processed but replaced before they could be shown, and frames of a live source that nobody read</source>
+        <translation>Bilder, die verarbeitet, aber ersetzt wurden, bevor sie gezeigt werden konnten, und Bilder einer Live-Quelle, die niemand gelesen hat</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Milliseconds that this stage took for the last frame</source>
+        <translation>Millisekunden, die diese Stufe für das letzte Bild brauchte</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::VtkCanvas</name>
+    <message>
+        <source>There is no 3-D view: the display platform &quot;%1&quot; has no OpenGL. Start the program on a desktop to see it.</source>
+        <translation>Es gibt keine 3-D-Ansicht: Die Anzeigeplattform &quot;%1&quot; hat kein OpenGL. Das Programm auf einem Desktop starten, um sie zu sehen.</translation>
+    </message>
+    <message>
+        <source>There is no 3-D view: OpenGL 3.2 could not be started. Install or update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 before you start the program.</source>
+        <translation>Es gibt keine 3-D-Ansicht: OpenGL 3.2 ließ sich nicht starten. Den Grafiktreiber installieren oder erneuern, oder vor dem Start LIBGL_ALWAYS_SOFTWARE=1 setzen.</translation>
+    </message>
+    <message>
+        <source>Point cloud</source>
+        <translation>Punktwolke</translation>
+    </message>
+</context>
+</TS>

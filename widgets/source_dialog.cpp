@@ -1,0 +1,138 @@
+#include "source_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace boomwatch {
+namespace {
+
+QString prefixOf(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::Stereo:
+      return QStringLiteral("stereo:");
+    case SourceKind::Cloud:
+      return QStringLiteral("cloud:");
+    case SourceKind::Depth:
+      return QStringLiteral("depth:");
+    case SourceKind::Camera:
+      return QStringLiteral("camera:");
+  }
+  return {};
+}
+
+QString hintOf(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::Stereo:
+      return SourceDialog::tr("A folder with left and right pictures or videos");
+    case SourceKind::Cloud:
+      return SourceDialog::tr("A PCD or PLY file, or a folder of them");
+    case SourceKind::Depth:
+      return SourceDialog::tr("A folder with colour and depth pictures");
+    case SourceKind::Camera:
+      return SourceDialog::tr("LEFT,RIGHT: device numbers or stream addresses, or one of both");
+  }
+  return {};
+}
+
+}  // namespace
+
+SourceDialog::SourceDialog(SourceKind kind, QWidget* parent)
+    : QDialog(parent),
+      m_kind(new QComboBox),
+      m_path(new QLineEdit),
+      m_folder(new QPushButton(tr("Folder..."))),
+      m_file(new QPushButton(tr("File..."))),
+      m_calibration(new QLineEdit),
+      m_calibrationFile(new QPushButton(tr("File..."))),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
+  setWindowTitle(tr("Open a source"));
+  m_kind->addItems(
+      {tr("Stereo recording"), tr("Point clouds"), tr("Depth recording"), tr("Camera")});
+  m_kind->setCurrentIndex(static_cast<int>(kind));
+  layOut();
+  wire();
+  adapt();
+}
+
+void SourceDialog::layOut() {
+  constexpr int pathWidth = 380;
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("&Kind"), m_kind);
+  auto* place = new QHBoxLayout;
+  place->addWidget(m_path, 1);
+  place->addWidget(m_folder);
+  place->addWidget(m_file);
+  m_path->setMinimumWidth(pathWidth);
+  auto* placeLabel = new QLabel(tr("&Where"));
+  placeLabel->setBuddy(m_path);
+  form->addRow(placeLabel, place);
+  auto* calibration = new QHBoxLayout;
+  calibration->addWidget(m_calibration, 1);
+  calibration->addWidget(m_calibrationFile);
+  m_calibration->setPlaceholderText(tr("the one that lies with the recording"));
+  auto* calibrationLabel = new QLabel(tr("C&alibration"));
+  calibrationLabel->setBuddy(m_calibration);
+  form->addRow(calibrationLabel, calibration);
+  form->addRow(m_buttons);
+}
+
+void SourceDialog::wire() {
+  connect(m_kind, &QComboBox::currentIndexChanged, this, &SourceDialog::adapt);
+  connect(m_path, &QLineEdit::textChanged, this, &SourceDialog::adapt);
+  connect(m_folder, &QPushButton::clicked, this, &SourceDialog::browseFolder);
+  connect(m_file, &QPushButton::clicked, this, &SourceDialog::browseFile);
+  connect(m_calibrationFile, &QPushButton::clicked, this, &SourceDialog::browseCalibration);
+  connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+SourceKind SourceDialog::kind() const { return static_cast<SourceKind>(m_kind->currentIndex()); }
+
+void SourceDialog::adapt() {
+  const bool camera = kind() == SourceKind::Camera;
+  const bool stereo = camera || kind() == SourceKind::Stereo;
+  m_path->setPlaceholderText(hintOf(kind()));
+  m_folder->setEnabled(!camera);
+  m_file->setEnabled(kind() == SourceKind::Cloud);
+  m_calibration->setEnabled(stereo);
+  m_calibrationFile->setEnabled(stereo);
+  m_buttons->button(QDialogButtonBox::Open)->setEnabled(!address().isEmpty());
+}
+
+void SourceDialog::setPath(const QString& path) { m_path->setText(path); }
+void SourceDialog::setCalibration(const QString& file) { m_calibration->setText(file); }
+
+QString SourceDialog::address() const {
+  const QString path = m_path->text().trimmed();
+  return path.isEmpty() ? QString() : prefixOf(kind()) + path;
+}
+
+QString SourceDialog::calibration() const {
+  return m_calibration->isEnabled() ? m_calibration->text().trimmed() : QString();
+}
+
+void SourceDialog::browseFolder() {
+  const QString chosen = QFileDialog::getExistingDirectory(this, windowTitle(), m_path->text());
+  if (!chosen.isEmpty()) m_path->setText(chosen);
+}
+
+void SourceDialog::browseFile() {
+  const QString chosen = QFileDialog::getOpenFileName(this, windowTitle(), m_path->text(),
+                                                      tr("Point clouds (*.pcd *.ply)"));
+  if (!chosen.isEmpty()) m_path->setText(chosen);
+}
+
+void SourceDialog::browseCalibration() {
+  const QString chosen =
+      QFileDialog::getOpenFileName(this, tr("Calibration"), m_path->text(),
+                                   tr("Calibrations (*.yaml *.yml *.xml *.txt);;All files (*)"));
+  if (!chosen.isEmpty()) m_calibration->setText(chosen);
+}
+
+}  // namespace boomwatch

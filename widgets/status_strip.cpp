@@ -1,0 +1,91 @@
+#include "status_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include "texts.h"
+
+namespace boomwatch {
+namespace {
+
+QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+QString millisecondsText(double value) { return number(value, value < 9.95 ? 1 : 0); }
+
+QLabel* fixedField(const QString& widest) {
+  auto* label = new QLabel;
+  label->setFixedWidth(label->fontMetrics().horizontalAdvance(widest) + 12);
+  return label;
+}
+
+QString validityOf(const Result& result) {
+  const Clearance& clearance = result.clearance;
+  if (clearance.state != ClearanceState::Unknown) return StatusStrip::tr("\u2713 valid");
+  return StatusStrip::tr("\u2715 no distance: %1").arg(reasonTitle(clearance.reason));
+}
+
+}  // namespace
+
+StatusStrip::StatusStrip(QWidget* parent) : QStatusBar(parent) {
+  setSizeGripEnabled(false);
+  m_rate = addField(tr("%1 fps").arg(number(9999.9, 1)));
+  m_latency = addField(tr("%1 ms frame to bar").arg(number(99999, 0)));
+  m_dropped = addField(tr("not shown %1, lost %2").arg(99999).arg(99999));
+  m_dropped->setToolTip(
+      tr("Frames that were processed but replaced before they could be shown, and frames of a "
+         "live source that nobody read"));
+  auto* stages = new QWidget;
+  m_stageRow = new QHBoxLayout(stages);
+  m_stageRow->setContentsMargins(0, 0, 0, 0);
+  addWidget(stages);
+  m_validity = new QLabel;
+  addPermanentWidget(m_validity);
+  setRate(0.0);
+  m_latency->setText(tr("%1 ms frame to bar").arg(QStringLiteral("\u2013")));
+  setDropped(0, 0);
+}
+
+QLabel* StatusStrip::addField(const QString& widest) {
+  QLabel* label = fixedField(widest);
+  addWidget(label);
+  return label;
+}
+
+QLabel* StatusStrip::stageField(std::string_view stage) {
+  if (const auto found = m_stages.find(stage); found != m_stages.end()) return found->second;
+  QLabel* label = fixedField(tr("%1 %2").arg(stageText(stage), number(99999, 0)));
+  label->setToolTip(tr("Milliseconds that this stage took for the last frame"));
+  m_stageRow->addWidget(label);
+  return m_stages.emplace(std::string(stage), label).first->second;
+}
+
+void StatusStrip::showResult(const Result& result) {
+  for (const auto& [name, label] : m_stages) {
+    label->setText(tr("%1 %2").arg(stageText(name), QStringLiteral("\u2013")));
+  }
+  for (const StageTiming& timing : result.timings) {
+    stageField(timing.stage)
+        ->setText(tr("%1 %2").arg(stageText(timing.stage), millisecondsText(timing.milliseconds)));
+  }
+  m_validity->setText(validityOf(result));
+  m_validity->setToolTip(reasonText(result.clearance.reason));
+}
+
+void StatusStrip::setRate(double framesPerSecond) {
+  const QString text =
+      framesPerSecond > 0.0 ? number(framesPerSecond, 1) : QStringLiteral("\u2013");
+  m_rate->setText(tr("%1 fps").arg(text));
+}
+
+void StatusStrip::setLatency(double milliseconds) {
+  m_latency->setText(tr("%1 ms frame to bar").arg(number(milliseconds, 0)));
+}
+
+void StatusStrip::setDropped(std::size_t skipped, std::size_t lost) {
+  m_dropped->setText(tr("not shown %1, lost %2").arg(skipped).arg(lost));
+}
+
+QString StatusStrip::validityText() const { return m_validity->text(); }
+
+}  // namespace boomwatch

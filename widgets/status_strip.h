@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QStatusBar>
+#include <map>
+#include <string>
+
+#include "pipeline/result.h"
+
+class QHBoxLayout;
+class QLabel;
+
+namespace boomwatch {
+
+/// The line of figures at the foot of the window. Every field keeps its width. GUI thread.
+class StatusStrip : public QStatusBar {
+  Q_OBJECT
+
+ public:
+  explicit StatusStrip(QWidget* parent = nullptr);
+
+  /// Latency of each stage, and whether there is a distance.
+  void showResult(const Result& result);
+  /// Frames a second; 0: not known, or nothing moves.
+  void setRate(double framesPerSecond);
+  /// From a frame's being read to its distance being on the bar.
+  void setLatency(double milliseconds);
+  /// Since the source was opened: processed but never shown, and never seen by the program.
+  void setDropped(std::size_t skipped, std::size_t lost);
+
+  QString validityText() const;
+
+ private:
+  QLabel* addField(const QString& widest);
+  QLabel* stageField(std::string_view stage);
+
+  QHBoxLayout* m_stageRow = nullptr;
+  QLabel* m_rate = nullptr;
+  QLabel* m_latency = nullptr;
+  QLabel* m_dropped = nullptr;
+  QLabel* m_validity = nullptr;
+  std::map<std::string, QLabel*, std::less<>> m_stages;
+};
+
+}  // namespace boomwatch

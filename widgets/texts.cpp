@@ -1,0 +1,124 @@
+#include "texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace boomwatch {
+namespace {
+
+class Texts {
+  Q_DECLARE_TR_FUNCTIONS(Texts)
+};
+
+}  // namespace
+
+QString reasonTitle(Reason reason) {
+  switch (reason) {
+    case Reason::None:
+      return {};
+    case Reason::NoFrame:
+      return Texts::tr("No picture arrives");
+    case Reason::UnreadableFrame:
+      return Texts::tr("Unreadable frame");
+    case Reason::IdenticalFrames:
+      return Texts::tr("Frozen picture");
+    case Reason::FewDepthPixels:
+      return Texts::tr("Too little depth");
+    case Reason::SceneMoves:
+      return Texts::tr("Camera moves");
+    case Reason::NoLoad:
+      return Texts::tr("No load");
+    case Reason::LoadOutside:
+      return Texts::tr("Load out of bounds");
+    case Reason::NoModel:
+      return Texts::tr("Model is building");
+    case Reason::NothingObserved:
+      return Texts::tr("Nothing seen here");
+  }
+  return {};
+}
+
+QString reasonText(Reason reason) {
+  switch (reason) {
+    case Reason::None:
+      return {};
+    case Reason::NoFrame:
+      return Texts::tr(
+          "Nothing has arrived from the source. Check camera and cable, or press play.");
+    case Reason::UnreadableFrame:
+      return Texts::tr("The source could not read this frame. Check the recording or the camera.");
+    case Reason::IdenticalFrames:
+      return Texts::tr("The source repeats one picture. Check the camera, then reopen it.");
+    case Reason::FewDepthPixels:
+      return Texts::tr("Too few pixels have a depth. Check light, lenses and calibration.");
+    case Reason::SceneMoves:
+      return Texts::tr("The picture moves as a whole. Hold the camera still and wait.");
+    case Reason::NoLoad:
+      return Texts::tr("Nobody has said where the load is. Set it among the parameters.");
+    case Reason::LoadOutside:
+      return Texts::tr("The load is not inside the bounds. Move it or widen the bounds.");
+    case Reason::NoModel:
+      return Texts::tr("Too few frames so far. Wait a moment; if it stays so, lower probtresh.");
+    case Reason::NothingObserved:
+      return Texts::tr("Nothing around the load was ever seen. Turn the camera towards it.");
+  }
+  return {};
+}
+
+QString levelText(WarningLevel level) {
+  switch (level) {
+    case WarningLevel::Clear:
+      return Texts::tr("Clear");
+    case WarningLevel::Caution:
+      return Texts::tr("Caution");
+    case WarningLevel::Warning:
+      return Texts::tr("Warning");
+    case WarningLevel::Collision:
+      return Texts::tr("Collision");
+    case WarningLevel::NoDistance:
+      return Texts::tr("No distance");
+  }
+  return {};
+}
+
+QString stageText(std::string_view stage) {
+  if (stage == "stereo") return Texts::tr("stereo");
+  if (stage == "tracking") return Texts::tr("tracking");
+  if (stage == "filter") return Texts::tr("filter");
+  if (stage == "model") return Texts::tr("model");
+  if (stage == "clearance") return Texts::tr("clearance");
+  if (stage == "validity") return Texts::tr("validity");
+  return QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
+}
+
+QString partText(LoadPart part) {
+  switch (part) {
+    case LoadPart::Inside:
+      return Texts::tr("inside the load");
+    case LoadPart::Face:
+      return Texts::tr("a face of the load");
+    case LoadPart::Edge:
+      return Texts::tr("an edge of the load");
+    case LoadPart::Corner:
+      return Texts::tr("a corner of the load");
+  }
+  return {};
+}
+
+QString cellText(CellState state) {
+  switch (state) {
+    case CellState::NeverObserved:
+      return Texts::tr("never observed");
+    case CellState::ObservedFree:
+      return Texts::tr("observed free");
+    case CellState::Occupied:
+      return Texts::tr("occupied");
+  }
+  return {};
+}
+
+QString metresText(double metres) {
+  return Texts::tr("%1 m").arg(QLocale().toString(metres, 'f', 2));
+}
+
+}  // namespace boomwatch

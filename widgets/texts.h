@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+#include "environment/environment_model.h"
+#include "frame/clearance.h"
+#include "pipeline/warning.h"
+
+namespace boomwatch {
+
+/// Words for what core computes; translated. GUI thread.
+
+/// Two or three words: "No frames". Empty for Reason::None.
+QString reasonTitle(Reason reason);
+/// A sentence or two: what is wrong and what to do. Empty for Reason::None.
+QString reasonText(Reason reason);
+QString levelText(WarningLevel level);
+/// A StageTiming's name; one that is not known is shown as it is.
+QString stageText(std::string_view stage);
+QString partText(LoadPart part);
+QString cellText(CellState state);
+
+/// "3.70 m": in the user's locale, with a fixed number of digits.
+QString metresText(double metres);
+
+}  // namespace boomwatch
