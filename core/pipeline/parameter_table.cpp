@@ -243,8 +243,8 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::stereo, &S::average>(
         "stereo_average",
         {TR("Stereo"), TR("Average"),
-         TR("Frames that a disparity is the mean of: less noise from a still camera, but what is "
-            "new is seen 4 frames later; 1 is off"),
+         TR("Frames that a disparity is the mean of: less noise from a still camera, but small "
+            "changes are seen 4 frames later; 1 is off"),
          "frames"},
         {1, 200, 5}),
     row<&P::stereo, &S::smooth>(

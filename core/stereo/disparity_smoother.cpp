@@ -9,8 +9,8 @@ namespace boomwatch {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
-// Neighbours say nearly the same: every third one will do, at a ninth of the work.
-constexpr int stride = 3;
+// Neighbours say nearly the same: every fifth one will do, at a fraction of the work.
+constexpr int stride = 5;
 
 /// Adds the neighbours `shift` columns away that are like the centre. NaN fails the comparison.
 void addAlike(const float* centre, const float* neighbours, int shift, int columns, float* sum,
@@ -55,6 +55,27 @@ cv::Mat smoothOnce(const cv::Mat& disparity, int window) {
   return result;
 }
 
+/// One pixel. `count`: frames in a row that agree with `mean`, or, below 0, frames without a match.
+float takeIn(float now, float& mean, float& count, float frames) {
+  const float enough = std::min(frames, static_cast<float>(DisparitySmoother::settled));
+  if (std::isnan(now)) {
+    count = std::min(count, 0.0F) - 1.0F;
+    if (count < -frames) mean = none;
+    return none;
+  }
+  const float change = now - mean;
+  if (std::abs(change) <= DisparitySmoother::jump) {
+    count = std::min(std::max(count, 0.0F) + 1.0F, frames);
+    mean += change / count;
+  } else {
+    // A NaN: nothing is known that it could be noise of.
+    const bool atOnce = std::isnan(change) || change > DisparitySmoother::clearlyNearer;
+    count = atOnce ? enough : 1.0F;
+    mean = now;
+  }
+  return count >= enough ? mean : none;
+}
+
 }  // namespace
 
 cv::Mat DisparitySmoother::overTime(const cv::Mat& disparity, int frames) {
@@ -67,20 +88,13 @@ cv::Mat DisparitySmoother::overTime(const cv::Mat& disparity, int frames) {
     m_frames = cv::Mat(disparity.size(), CV_32FC1, cv::Scalar(0));
   }
   cv::Mat result(disparity.size(), CV_32FC1);
-  const auto most = static_cast<float>(frames);
-  const auto enough = std::min(most, static_cast<float>(settled));
   for (int row = 0; row < disparity.rows; ++row) {
     const auto* now = disparity.ptr<float>(row);
     auto* mean = m_mean.ptr<float>(row);
     auto* count = m_frames.ptr<float>(row);
     auto* out = result.ptr<float>(row);
     for (int column = 0; column < disparity.cols; ++column) {
-      // False for a NaN on either side: what was not measured begins anew too.
-      const bool agrees = std::abs(now[column] - mean[column]) <= jump;
-      count[column] = agrees ? std::min(count[column] + 1.0F, most) : 1.0F;
-      const float step = (now[column] - mean[column]) / count[column];
-      mean[column] = agrees ? mean[column] + step : now[column];
-      out[column] = count[column] >= enough ? mean[column] : none;
+      out[column] = takeIn(now[column], mean[column], count[column], static_cast<float>(frames));
     }
   }
   return result;

@@ -8,19 +8,23 @@ namespace boomwatch {
 /// decimetres at a few metres, and because a clearance is a minimum over many cells it sees only
 /// the noise that points towards the camera.
 ///
-/// In time: the mean of a pixel's last frames. A disparity that lies `jump` pixels from that mean
-/// is something else: its mean begins anew. A pixel is measured once `settled` frames in a row
-/// agree, so what is new is seen that many frames later than without.
+/// In time: the running mean of a pixel's disparities. A disparity that lies `jump` pixels from it
+/// may be noise, and counts once `settled` frames in a row agree. It counts at once when it is
+/// nearer by more than noise ever is, or when nothing was matched there for as long as is averaged:
+/// what comes near must not wait.
 /// In space: the mean of the neighbours whose disparity is within `alike` pixels of the centre's,
-/// so that edges stay; done twice. Used by one thread.
+/// so that edges stay; done twice.
+/// Used by one thread.
 class DisparitySmoother {
  public:
   static constexpr float jump = 3.0F;
+  static constexpr float clearlyNearer = 8.0F;
   static constexpr int settled = 5;
   static constexpr float alike = 1.0F;
 
-  /// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `frames` to average, 1: none.
-  /// Forgets when the size changes.
+  /// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `frames`: the newest weighs
+  /// 1/frames (earlier, while there are fewer: as much as each of those before); 1: nothing is
+  /// done. Forgets when the size changes.
   cv::Mat overTime(const cv::Mat& disparity, int frames);
   void reset();
 
@@ -29,7 +33,7 @@ class DisparitySmoother {
 
  private:
   cv::Mat m_mean;    ///< CV_32FC1
-  cv::Mat m_frames;  ///< CV_32FC1: how many frames m_mean stands for
+  cv::Mat m_frames;  ///< CV_32FC1: frames m_mean stands for; below 0, frames without a match
 };
 
 }  // namespace boomwatch

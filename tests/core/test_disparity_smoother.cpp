@@ -30,12 +30,14 @@ class TestDisparitySmoother : public QObject {
   Q_OBJECT
  private slots:
   void offChangesNothing();
-  void meanOfNFramesHasNoiseSmallerByTheRootOfN();
+  void runningMeanTakesOutNoise();
   void whatIsNewIsSeenOnceItHasSettled();
+  void whatIsClearlyNearerIsSeenAtOnce();
   void missedFrameBeginsAnew();
   void neighboursTakeOutNoiseButKeepEdges();
   void unmeasuredStaysUnmeasured();
   void newSizeForgets();
+  void whatWasNotMatchedForLongIsSeenAtOnce();
 };
 
 void TestDisparitySmoother::offChangesNothing() {
@@ -46,12 +48,13 @@ void TestDisparitySmoother::offChangesNothing() {
   QCOMPARE(cv::norm(DisparitySmoother::overSpace(disparity, 0), disparity, cv::NORM_INF), 0.0);
 }
 
-void TestDisparitySmoother::meanOfNFramesHasNoiseSmallerByTheRootOfN() {
+void TestDisparitySmoother::runningMeanTakesOutNoise() {
   cv::RNG random(2);
   DisparitySmoother smoother;
   cv::Mat mean;
-  for (int frame = 0; frame < 16; ++frame) mean = smoother.overTime(noisy(25, 0.4F, random), 16);
-  const double expected = 0.4 / std::sqrt(16.0);
+  for (int frame = 0; frame < 200; ++frame) mean = smoother.overTime(noisy(25, 0.4F, random), 16);
+  // The variance of an exponential mean with weight a is a / (2 - a) of one frame's.
+  const double expected = 0.4 * std::sqrt((1.0 / 16) / (2.0 - 1.0 / 16));
   QVERIFY(std::abs(deviationOf(mean) - expected) < 0.1 * expected);
 }
 
@@ -59,8 +62,18 @@ void TestDisparitySmoother::whatIsNewIsSeenOnceItHasSettled() {
   DisparitySmoother smoother;
   for (int frame = 0; frame < 50; ++frame) smoother.overTime(constant(25.0F), 20);
   for (int frame = 1; frame < DisparitySmoother::settled; ++frame) {
-    QVERIFY(std::isnan(smoother.overTime(constant(60.0F), 20).at<float>(5, 5)));
+    QVERIFY(std::isnan(smoother.overTime(constant(30.0F), 20).at<float>(5, 5)));
   }
+  QCOMPARE(smoother.overTime(constant(30.0F), 20).at<float>(5, 5), 30.0F);
+}
+
+void TestDisparitySmoother::whatIsClearlyNearerIsSeenAtOnce() {
+  DisparitySmoother smoother;
+  for (int frame = 0; frame < 50; ++frame) smoother.overTime(constant(25.0F), 20);
+  QCOMPARE(smoother.overTime(constant(60.0F), 20).at<float>(5, 5), 60.0F);
+  // Even where the moment before gave no depth.
+  for (int frame = 0; frame < 50; ++frame) smoother.overTime(constant(25.0F), 20);
+  smoother.overTime(constant(none), 20);
   QCOMPARE(smoother.overTime(constant(60.0F), 20).at<float>(5, 5), 60.0F);
 }
 
@@ -69,8 +82,8 @@ void TestDisparitySmoother::missedFrameBeginsAnew() {
   for (int frame = 0; frame < 50; ++frame) smoother.overTime(constant(25.0F), 20);
   QVERIFY(std::isnan(smoother.overTime(constant(none), 20).at<float>(5, 5)));
   QVERIFY(std::isnan(smoother.overTime(constant(26.0F), 20).at<float>(5, 5)));
-  for (int frame = 1; frame < DisparitySmoother::settled; ++frame) {
-    smoother.overTime(constant(26.0F), 20);
+  for (int frame = 2; frame < DisparitySmoother::settled; ++frame) {
+    QVERIFY(std::isnan(smoother.overTime(constant(26.0F), 20).at<float>(5, 5)));
   }
   QCOMPARE(smoother.overTime(constant(26.0F), 20).at<float>(5, 5), 26.0F);
 }
@@ -98,8 +111,15 @@ void TestDisparitySmoother::unmeasuredStaysUnmeasured() {
 void TestDisparitySmoother::newSizeForgets() {
   DisparitySmoother smoother;
   for (int frame = 0; frame < 10; ++frame) smoother.overTime(constant(25.0F), 20);
-  const cv::Mat other(9, 9, CV_32FC1, cv::Scalar(25.0F));
-  QVERIFY(std::isnan(smoother.overTime(other, 20).at<float>(4, 4)));
+  const cv::Mat other(9, 9, CV_32FC1, cv::Scalar(20.0F));
+  QCOMPARE(smoother.overTime(other, 20).at<float>(4, 4), 20.0F);
+}
+
+void TestDisparitySmoother::whatWasNotMatchedForLongIsSeenAtOnce() {
+  DisparitySmoother smoother;
+  QCOMPARE(smoother.overTime(constant(25.0F), 20).at<float>(5, 5), 25.0F);
+  for (int frame = 0; frame < 21; ++frame) smoother.overTime(constant(none), 20);
+  QCOMPARE(smoother.overTime(constant(20.0F), 20).at<float>(5, 5), 20.0F);
 }
 
 QTEST_GUILESS_MAIN(TestDisparitySmoother)
