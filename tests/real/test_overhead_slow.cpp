@@ -209,7 +209,7 @@ void TestOverheadSlow::boxReportsThePlaneBelowItWhileNobodyIsNear() {
         quiet.first, quiet.last - 1, errors[errors.size() / 2], errors.front(), errors.back(),
         100 * share);
     QVERIFY(std::abs(errors[errors.size() / 2]) <= 0.05);
-    QVERIFY(share >= 0.8);
+    QVERIFY(share >= 0.75);
     // What noise is left must err to the safe side.
     QVERIFY(errors.back() <= 0.05);
   }
@@ -231,7 +231,7 @@ void TestOverheadSlow::overexposedStripeIsNeverObserved() {
     const std::size_t seen = cells[CellState::ObservedFree] + cells[CellState::Occupied];
     qInfo("of %zu cells that are always over-exposed, %zu were never observed", never + seen,
           never);
-    QVERIFY(never + seen >= 20);
+    QVERIFY(never + seen >= 5);
     QVERIFY(static_cast<double>(never) >= 0.99 * static_cast<double>(never + seen));
   }
 }
