@@ -105,6 +105,10 @@ bool saveWindowScreenshot(const ResultPtr& result, const QString& file) {
   MainWindow window(result->parameters, nullptr);
   window.setAttribute(Qt::WA_DontShowOnScreen);
   window.show();
+  SourceStatus status;  // the run is over: its last frame is not what is there now
+  status.player = PlayerStatus{};
+  if (result->frame) status.player->position = result->frame->sequence;
+  window.showStatus(status);
   window.showDisplay(makeDisplay(result, {}));
   QCoreApplication::processEvents();
   return window.saveSnapshot(file);

@@ -52,9 +52,16 @@ QStringList toArguments(int argc, char** argv) {
   return arguments;
 }
 
+/// Our own messages name the file and what to do; those of the decoders below only add noise.
+void quietenLibraries() {
+  if (!qEnvironmentVariableIsSet("OPENCV_LOG_LEVEL")) qputenv("OPENCV_LOG_LEVEL", "SILENT");
+  if (!qEnvironmentVariableIsSet("OPENCV_FFMPEG_LOGLEVEL")) qputenv("OPENCV_FFMPEG_LOGLEVEL", "-8");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  quietenLibraries();
   boomwatch::CommandLine line;
   try {
     line = boomwatch::parseCommandLine(toArguments(argc, argv));

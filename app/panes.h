@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QList>
-#include <memory>
 
 #include "camera_view.h"
 #include "display.h"

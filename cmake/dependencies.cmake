@@ -7,8 +7,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d video vid
 find_package(Threads REQUIRED)
 find_package(yaml-cpp REQUIRED)
 if(BOOMWATCH_GUI)
-  find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore FiltersSources
-    InteractionStyle RenderingCore RenderingOpenGL2 RenderingUI)
+  find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2)
 endif()
 set(CMAKE_DISABLE_FIND_PACKAGE_VTK TRUE)
 find_package(PCL REQUIRED COMPONENTS common io kdtree search filters)

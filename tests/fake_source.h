@@ -2,9 +2,7 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "sources/frame_source.h"
 

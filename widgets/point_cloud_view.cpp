@@ -55,11 +55,6 @@ QString PointCloudView::whyNo3d() const { return m_sentence ? m_sentence->text()
 
 QImage PointCloudView::image() const { return m_canvas ? m_canvas->grabFramebuffer() : QImage(); }
 
-bool PointCloudView::saveImage(const QString& path) const {
-  const QImage seen = image();
-  return !seen.isNull() && seen.save(path);
-}
-
 void PointCloudView::resetView() {
   if (m_canvas) m_canvas->resetView();
 }

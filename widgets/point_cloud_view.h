@@ -33,8 +33,6 @@ class PointCloudView : public QWidget {
 
   /// What is seen now; null without OpenGL.
   QImage image() const;
-  /// PNG or JPEG by suffix; false if it could not be written.
-  bool saveImage(const QString& path) const;
 
  public slots:
   /// Looks along the camera's axis from behind it, at the whole of the bounds.

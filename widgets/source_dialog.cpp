@@ -105,9 +105,6 @@ void SourceDialog::adapt() {
   m_buttons->button(QDialogButtonBox::Open)->setEnabled(!address().isEmpty());
 }
 
-void SourceDialog::setPath(const QString& path) { m_path->setText(path); }
-void SourceDialog::setCalibration(const QString& file) { m_calibration->setText(file); }
-
 QString SourceDialog::address() const {
   const QString path = m_path->text().trimmed();
   return path.isEmpty() ? QString() : prefixOf(kind()) + path;

@@ -19,9 +19,6 @@ class SourceDialog : public QDialog {
  public:
   explicit SourceDialog(SourceKind kind, QWidget* parent = nullptr);
 
-  void setPath(const QString& path);
-  void setCalibration(const QString& file);
-
   /// "stereo:PATH", "camera:0,1", ...; empty while nothing is given.
   QString address() const;
   /// Empty: it lies beside the recording.

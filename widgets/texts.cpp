@@ -83,11 +83,10 @@ QString levelText(WarningLevel level) {
 
 QString stageText(std::string_view stage) {
   if (stage == "stereo") return Texts::tr("stereo");
-  if (stage == "tracking") return Texts::tr("tracking");
+  if (stage == "checks") return Texts::tr("checks");
   if (stage == "filter") return Texts::tr("filter");
   if (stage == "model") return Texts::tr("model");
   if (stage == "clearance") return Texts::tr("clearance");
-  if (stage == "validity") return Texts::tr("validity");
   return QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
 }
 

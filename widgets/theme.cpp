@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QImage>
-#include <QPainter>
 #include <QStyleFactory>
 
 namespace boomwatch {

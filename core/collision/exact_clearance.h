@@ -25,8 +25,8 @@ class ExactClearance {
 
   /// Measured, or NothingInRange when the nearest cell is farther than `range` metres (not a
   /// number: no limit). Unknown only for what cannot be searched: NoModel before the first
-  /// rebuild(), NoLoad when the box is not one (see isUsable). All other reasons are for the caller
-  /// to say (see Validity).
+  /// rebuild(), NoLoad when the box is not one (see isUsable). All other reasons are for the
+  /// pipeline to say.
   Clearance query(const OrientedBox& box, double range) const;
 
  private:

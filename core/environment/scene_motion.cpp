@@ -1,6 +1,5 @@
 #include "environment/scene_motion.h"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>

@@ -2,7 +2,6 @@
 
 #include <opencv2/core.hpp>
 #include <optional>
-#include <vector>
 
 namespace boomwatch {
 
@@ -15,6 +14,7 @@ class SceneMotion {
   /// `image`: CV_8UC1 or CV_8UC3, any size. Absent for the first image, after a change of size, and
   /// where too few corners could be followed to tell (dark, blank, blurred).
   std::optional<double> shareMoved(const cv::Mat& image);
+  /// Forgets the picture before.
   void reset();
 
  private:

@@ -13,6 +13,8 @@ struct Bounds {
   double zMin = 0.0;
   double zMax = 10.0;
 
+  /// Half open in x and y, as the cells are; zMax belongs to it (it has a depth level). Never a
+  /// NaN.
   bool contains(const Eigen::Vector3f& p) const {
     return p.x() >= xMin && p.x() < xMax && p.y() >= yMin && p.y() < yMax && p.z() >= zMin &&
            p.z() <= zMax;

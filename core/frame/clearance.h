@@ -26,6 +26,7 @@ std::string_view toString(Reason reason);
 
 /// The part of the load that is nearest.
 enum class LoadPart { Inside, Face, Edge, Corner };
+/// Stable name for files and logs.
 std::string_view toString(LoadPart part);
 
 /// Both ends of the shortest line, and how far apart they are. Camera frame, metres.
@@ -45,6 +46,7 @@ struct SearchRay {
 };
 
 enum class ClearanceState { Measured, NothingInRange, Unknown };
+/// Stable name for files and logs.
 std::string_view toString(ClearanceState state);
 
 /// How far the load is from the nearest thing, or why that is not known. Never a number that is

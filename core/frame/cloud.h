@@ -8,6 +8,7 @@
 
 namespace boomwatch {
 
+/// 3-D points in the camera frame, metres.
 using Points = std::vector<Eigen::Vector3f>;
 
 /// 3-D points in the camera frame, metres. A point that was not measured is NaN in all three.
@@ -21,16 +22,19 @@ struct Cloud {
 
   bool organised() const { return height > 1; }
   std::size_t size() const { return points.size(); }
+  /// Organised clouds; column and row must lie inside.
   const Eigen::Vector3f& at(int column, int row) const {
     return points[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(column)];
   }
 };
 
+/// What stands where nothing was measured: NaN in all three.
 inline Eigen::Vector3f unmeasuredPoint() {
   return Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
 }
 
+/// Whether all three coordinates are finite.
 inline bool isMeasured(const Eigen::Vector3f& p) {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }

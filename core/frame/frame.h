@@ -30,6 +30,7 @@ struct Frame {
   std::shared_ptr<const Cloud> cloud;    ///< set unless stereo
   std::optional<OrientedBox> load;       ///< where the source itself knows the load (demo scenes)
   std::optional<Truth> truth;
+  bool still = false;  ///< repeated on purpose: that it equals the last one is no fault
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

@@ -14,6 +14,7 @@ struct OrientedBox {
 
   /// Corner k has sign (k & 1, k & 2, k & 4) along the box's x, y, z.
   std::array<Eigen::Vector3d, 8> corners() const;
+  /// The surface belongs to it.
   bool contains(const Eigen::Vector3d& p) const;
   /// The point of the solid box nearest to `p`; `p` itself when it lies inside.
   Eigen::Vector3d nearestTo(const Eigen::Vector3d& p) const;
@@ -28,6 +29,7 @@ struct AxisAlignedBox {
   Eigen::Vector3d min = Eigen::Vector3d::Zero();
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
 
+  /// The surface belongs to it.
   bool contains(const Eigen::Vector3d& p) const {
     return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
   }

@@ -33,9 +33,9 @@ double fillOf(const Cloud& cloud) {
 
 }  // namespace
 
-/// Bit for bit: no real sensor gives the same picture twice. A simulated one may.
+/// Bit for bit: no real sensor gives the same picture twice.
 bool FrameChecks::repeats(const FramePtr& frame) {
-  return m_previous && !frame->truth && samePixels(frame->left, m_previous->left) &&
+  return m_previous && !frame->still && samePixels(frame->left, m_previous->left) &&
          samePixels(frame->right, m_previous->right) && samePoints(frame->cloud, m_previous->cloud);
 }
 

@@ -20,6 +20,7 @@ class FrameChecks {
   /// `image` and `cloud` are what the frame was turned into: rectified left, organised cloud.
   Verdict examine(const FramePtr& frame, const cv::Mat& image, const Cloud& cloud,
                   const ValidityParameters& parameters);
+  /// Forgets all frames: another source follows.
   void reset();
 
  private:

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
 #include "pipeline/parameter_range.h"
 
@@ -31,13 +32,8 @@ std::string quoted(std::string_view text) {
 
 template <class T>
 std::optional<T> number(std::string_view text) {
-  T value{};
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
+  const auto value = toNumber<T>(text);
+  return value && std::isfinite(static_cast<double>(*value)) ? value : std::nullopt;
 }
 
 std::optional<ParameterValue> parse(const ParameterInfo& info, std::string_view text) {

@@ -58,6 +58,9 @@ void validate(const Parameters& p) {
   if (p.stereo.matcher == StereoMatcherKind::Bm && p.stereo.blockSize < 5) {
     throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
   }
+  if (p.stereo.matcher == StereoMatcherKind::Sgbm && p.stereo.blockSize > 15) {
+    throw Error("parameter 'stereo_block_size'", "sgbm takes at most 15", "Set 15 or less.");
+  }
 }
 
 std::vector<ParameterWarning> warningsFor(const Parameters& p) {

@@ -76,6 +76,7 @@ struct LoadParameters {
   double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
   double yaw = 0.0, pitch = 0.0, roll = 0.0;
 
+  /// In the camera frame, metres and radians.
   OrientedBox box() const {
     constexpr double degree = std::numbers::pi / 180.0;
     return {{x, y, z},

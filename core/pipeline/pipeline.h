@@ -23,6 +23,7 @@ class Pipeline {
   /// Forgets model, history and tool: another source follows.
   void reset();
 
+  /// As the last frame left it; valid until the next process() or reset().
   const EnvironmentModel& model() const;
 
  private:

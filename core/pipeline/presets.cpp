@@ -2,14 +2,13 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cstdio>
 #include <fstream>
 #include <random>
 #include <set>
 
+#include "files/file_bytes.h"
 #include "frame/error.h"
 #include "pipeline/parameter_table.h"
-#include "sources/file_bytes.h"
 
 namespace boomwatch {
 namespace {

@@ -9,6 +9,7 @@ namespace boomwatch {
 
 /// In order of urgency, but for NoDistance, which stands beside them.
 enum class WarningLevel { Clear, Caution, Warning, Collision, NoDistance };
+/// Stable name for files and logs.
 std::string_view toString(WarningLevel level);
 
 /// Unknown is NoDistance, never Clear. A distance of 0 is Collision.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/error.h"
+#include "frame/size_text.h"
 #include "sources/live_stream.h"
 #include "stereo/calibration.h"
 
@@ -16,10 +17,6 @@ using Seconds = std::chrono::duration<double>;
 
 // A load that swings at 1 m/s moves 4 cm, one default cell, in this time.
 constexpr Seconds largestSkew{0.04};
-
-std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
 
 // An address may itself hold commas, so both sides of one must look like devices.
 std::vector<std::string> splitDevices(const std::string& devices) {
@@ -82,10 +79,10 @@ class CameraSource : public FrameSource {
     cv::Size size = stream.size();
     if (sideBySide) size.width /= 2;
     if (size.empty() || m_rig->imageSize.empty() || size == m_rig->imageSize) return;
-    throw Error(
-        "camera " + stream.name(),
-        "its pictures are " + text(size) + ", but the calibration is for " + text(m_rig->imageSize),
-        "Give the calibration of these cameras at this size.");
+    throw Error("camera " + stream.name(),
+                "its pictures are " + sizeText(size) + ", but the calibration is for " +
+                    sizeText(m_rig->imageSize),
+                "Give the calibration of these cameras at this size.");
   }
 
   // The following five need the doorbell's mutex.
@@ -152,11 +149,11 @@ class CameraSource : public FrameSource {
     }
     const cv::Size size = frame.left.size();
     if (size != frame.right.size()) {
-      return "left is " + text(size) + " and right is " + text(frame.right.size());
+      return "left is " + sizeText(size) + " and right is " + sizeText(frame.right.size());
     }
     if (m_rig->imageSize.empty() || size == m_rig->imageSize) return "";
-    return "the pictures are " + text(size) + ", but the calibration is for " +
-           text(m_rig->imageSize);
+    return "the pictures are " + sizeText(size) + ", but the calibration is for " +
+           sizeText(m_rig->imageSize);
   }
 
   static std::string note(const std::vector<Shot>& shots) {

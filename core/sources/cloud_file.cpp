@@ -1,23 +1,11 @@
 #include "sources/cloud_file.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "files/file_bytes.h"
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/file_bytes.h"
 #include "sources/point_table.h"
 
 namespace boomwatch {
-namespace {
-
-std::string lowerExtension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-}  // namespace
 
 bool isCloudFile(const std::filesystem::path& file) {
   const std::string extension = lowerExtension(file);

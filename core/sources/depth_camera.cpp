@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "files/opencv_file.h"
 #include "frame/error.h"
-#include "sources/opencv_file.h"
 
 namespace boomwatch {
 namespace {

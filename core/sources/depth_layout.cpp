@@ -1,15 +1,14 @@
 #include "sources/depth_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "files/bounded_image.h"
+#include "files/file_bytes.h"
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/file_bytes.h"
 #include "sources/file_sequence.h"
-#include "sources/image_bytes.h"
-#include "sources/text_scan.h"
 
 namespace boomwatch {
 namespace {
@@ -59,8 +58,8 @@ std::vector<ListedImage> readList(const fs::path& list) {
   const std::string text = readFileBytes(list, maxList);
   std::vector<ListedImage> images;
   LineReader lines(text);
-  while (const auto text_line = lines.next()) {
-    const auto line = words(*text_line);
+  while (const auto textLine = lines.next()) {
+    const auto line = words(*textLine);
     if (line.empty() || line[0].starts_with('#')) continue;
     const auto stamp = toNumber<double>(line[0]);
     if (line.size() < 2 || !stamp || !std::isfinite(*stamp)) {
@@ -105,7 +104,7 @@ void setStamps(const std::vector<fs::path>& files, DepthRecording& recording) {
 }
 
 bool isPairedDepth(const fs::path& file) {
-  return isImageFile(file) && file.stem().string().ends_with(depthSuffix);
+  return hasImageExtension(file) && file.stem().string().ends_with(depthSuffix);
 }
 
 DepthRecording pairedRecording(const fs::path& folder) {
@@ -163,18 +162,19 @@ void matchColours(const std::vector<fs::path>& colours, const fs::path& folder,
 DepthRecording folderRecording(const fs::path& folder) {
   DepthRecording recording;
   recording.camera = requireIntrinsics(folder);
-  const std::vector<fs::path> depths = listFiles(folder / "depth", isImageFile);
+  const std::vector<fs::path> depths = listFiles(folder / "depth", hasImageExtension);
   for (const fs::path& depth : depths) recording.frames.push_back({depth, {}, {}, 0.0});
   setStamps(depths, recording);
   if (const fs::path colours = colourFolder(folder); !colours.empty()) {
-    matchColours(listFiles(colours, isImageFile), colours, recording);
+    matchColours(listFiles(colours, hasImageExtension), colours, recording);
   }
   return recording;
 }
 
-double roughRate(const std::vector<DepthFrameFiles>& frames) {
-  const double span = frames.back().stamp - frames.front().stamp;
-  return span > 0.0 ? static_cast<double>(frames.size() - 1) / span : assumedRate;
+double rateOf(const std::vector<DepthFrameFiles>& frames) {
+  std::vector<double> stamps;
+  for (const DepthFrameFiles& frame : frames) stamps.push_back(frame.stamp);
+  return meanRate(stamps, assumedRate);
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ DepthRecording findDepthRecording(const fs::path& folder) {
     throw Error(folder.string(), "there are no depth images",
                 "Give a folder with depth.txt, NAME_depth.png files or a folder depth.");
   }
-  recording.rate = roughRate(recording.frames);
+  recording.rate = rateOf(recording.frames);
   return recording;
 }
 

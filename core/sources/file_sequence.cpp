@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <string>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/text_scan.h"
 
 namespace boomwatch {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The digits at `position` without leading zeros; moves `position` past them.
 std::string_view takeNumber(std::string_view text, std::size_t& position) {
@@ -109,6 +106,11 @@ std::vector<double> stampsOf(const std::vector<std::filesystem::path>& files, do
   stamps.clear();
   for (std::size_t k = 0; k < files.size(); ++k) stamps.push_back(static_cast<double>(k) / rate);
   return stamps;
+}
+
+double meanRate(const std::vector<double>& stamps, double otherwise) {
+  const double span = stamps.empty() ? 0.0 : stamps.back() - stamps.front();
+  return span > 0.0 ? static_cast<double>(stamps.size() - 1) / span : otherwise;
 }
 
 }  // namespace boomwatch

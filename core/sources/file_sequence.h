@@ -26,4 +26,7 @@ std::optional<double> stampFromName(std::string_view stem);
 /// index / `rate`.
 std::vector<double> stampsOf(const std::vector<std::filesystem::path>& files, double rate);
 
+/// Frames a second, from the first stamp to the last; `otherwise` where they do not tell.
+double meanRate(const std::vector<double>& stamps, double otherwise);
+
 }  // namespace boomwatch

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "sources/bounded_image.h"
+#include "files/bounded_image.h"
+#include "files/text_scan.h"
+#include "frame/error.h"
 #include "sources/file_sequence.h"
 
 namespace boomwatch {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view withoutZeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
@@ -35,8 +35,11 @@ std::optional<cv::Size> ImageSequence::size() const {
 }
 
 StreamImage ImageSequence::read(std::size_t index) {
-  auto [image, fault] = readImage(m_files.at(index));
-  return {image, fault, false};
+  try {
+    return {readImage(m_files.at(index)), "", false};
+  } catch (const Error& error) {
+    return {{}, error.what(), false};
+  }
 }
 
 }  // namespace boomwatch

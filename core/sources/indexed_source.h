@@ -10,8 +10,10 @@ class IndexedSource : public FrameSource {
   SourceInfo info() const override { return m_info; }
 
   ReadResult next(std::chrono::milliseconds) override {
-    if (m_next >= *m_info.frameCount) return {};
-    return read(m_next++);
+    if (m_next >= *m_info.frameCount) return end();
+    ReadResult result = read(m_next);
+    if (result.status != ReadResult::Status::End) ++m_next;
+    return result;
   }
 
   bool seek(std::size_t index) override {
@@ -24,9 +26,11 @@ class IndexedSource : public FrameSource {
   IndexedSource(std::string address, std::size_t frames, double rate)
       : m_info{std::move(address), frames, rate, false} {}
 
-  /// Frame `index`, below the count: Ok or Bad.
+  /// Frame `index`, below the count: Ok or Bad, or End where the recording holds less than it
+  /// promised.
   virtual ReadResult read(std::size_t index) = 0;
 
+  static ReadResult end() { return {}; }
   static ReadResult ok(FramePtr frame) { return {ReadResult::Status::Ok, std::move(frame), {}, 0}; }
   static ReadResult bad(std::string message) {
     return {ReadResult::Status::Bad, nullptr, std::move(message), 0};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "files/bounded_image.h"
 #include "frame/error.h"
-#include "sources/bounded_image.h"
 
 namespace boomwatch {
 namespace {

@@ -4,6 +4,7 @@
 #include "sources/cloud_source.h"
 #include "sources/depth_source.h"
 #include "sources/stereo_source.h"
+#include "sources/still_source.h"
 
 namespace boomwatch {
 
@@ -12,9 +13,9 @@ std::unique_ptr<FrameSource> openSource(const std::string& address, const Source
   const std::string kind = address.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : address.substr(colon + 1);
   if (colon != std::string::npos) {
-    if (kind == "stereo") return openStereoSource(rest, address, options);
-    if (kind == "cloud") return openCloudSource(rest, address);
-    if (kind == "depth") return openDepthSource(rest, address);
+    if (kind == "stereo") return repeatIfStill(openStereoSource(rest, address, options));
+    if (kind == "cloud") return repeatIfStill(openCloudSource(rest, address));
+    if (kind == "depth") return repeatIfStill(openDepthSource(rest, address));
     if (kind == "camera") return openCameraSource(rest, address, options);
     if (kind == "demo") return openDemoSource(rest, address);
   }

@@ -1,10 +1,8 @@
 #include <pcl/io/lzf.h>
 
-#include <cstring>
-
+#include "files/text_scan.h"
 #include "frame/error.h"
 #include "sources/point_table.h"
-#include "sources/text_scan.h"
 
 // PCL's own reader allocates what a header claims before it looks at the file, and prints. Only its
 // decompression, which is bounded by its arguments, is used here; tests compare the rest with it.

@@ -62,13 +62,14 @@ std::optional<ReadResult> Player::poll(TimePoint now, std::chrono::milliseconds 
     return deliver(now);
   }
   if (!m_ahead) m_ahead = readRecording();
-  if (!m_single && dueTime(*m_ahead) > now) return std::nullopt;
+  if (const auto at = dueTime(*m_ahead); !m_single && at && *at > now) return std::nullopt;
   return deliver(now);
 }
 
 std::optional<Player::TimePoint> Player::due() const {
   if (m_state != PlayState::Playing && !m_single) return std::nullopt;
-  return m_ahead && !m_single ? dueTime(*m_ahead) : TimePoint::min();
+  const auto at = m_ahead && !m_single ? dueTime(*m_ahead) : std::nullopt;
+  return at.value_or(TimePoint::min());
 }
 
 ReadResult Player::readRecording() {
@@ -89,19 +90,19 @@ double Player::gapBefore(const ReadResult& read) const {
   return 1.0 / (m_info.nominalRate > 0.0 ? m_info.nominalRate : rateOfTheUnknown);
 }
 
-Player::TimePoint Player::dueTime(const ReadResult& read) const {
+std::optional<Player::TimePoint> Player::dueTime(const ReadResult& read) const {
   const bool timed =
       read.status == ReadResult::Status::Ok || read.status == ReadResult::Status::Bad;
-  if (!m_delivered || !timed) return TimePoint::min();
+  if (!m_delivered || !timed) return std::nullopt;
   const std::chrono::duration<double> gap(gapBefore(read) / m_speed);
   return *m_delivered + std::chrono::duration_cast<TimePoint::duration>(gap);
 }
 
 ReadResult Player::deliver(TimePoint now) {
-  const TimePoint dueAt = dueTime(*m_ahead);
-  const auto gap = m_delivered ? dueAt - *m_delivered : TimePoint::duration::zero();
+  const auto at = dueTime(*m_ahead);
   // Behind by more than a frame: time goes on from here, rather than in a burst.
-  m_delivered = dueAt == TimePoint::min() || m_single || now - dueAt > gap ? now : dueAt;
+  const bool onTime = at && !m_single && now - *at <= *at - *m_delivered;
+  m_delivered = onTime ? *at : now;
   ReadResult read = std::move(*m_ahead);
   m_ahead.reset();
   m_single = m_single && read.status == ReadResult::Status::Stalled;

@@ -67,7 +67,8 @@ class Player {
   ReadResult readRecording();
   void note(const ReadResult& read);
   double gapBefore(const ReadResult& read) const;
-  TimePoint dueTime(const ReadResult& read) const;
+  /// Absent: at once.
+  std::optional<TimePoint> dueTime(const ReadResult& read) const;
   ReadResult deliver(TimePoint now);
 
   std::unique_ptr<FrameSource> m_source;

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
 #include "sources/point_table.h"
-#include "sources/text_scan.h"
 
 namespace boomwatch {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/text_scan.h"
 
 namespace boomwatch {
 namespace {

@@ -6,8 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "files/bounded_image.h"
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/bounded_image.h"
 #include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
 
@@ -33,17 +34,10 @@ constexpr std::array folderNames{FolderNames{"left", "right"},
                                  FolderNames{"image_00", "image_01"},
                                  FolderNames{"cam0", "cam1"}};
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool isVideo(const fs::path& file) {
   constexpr std::array<std::string_view, 8> known{".mp4", ".avi",  ".mov", ".m4v",
                                                   ".mkv", ".webm", ".mpg", ".mpeg"};
-  const auto extension = lower(file.extension().string());
-  return std::find(known.begin(), known.end(), extension) != known.end();
+  return std::ranges::find(known, lowerExtension(file)) != known.end();
 }
 
 enum class Side { Neither, Left, Right };

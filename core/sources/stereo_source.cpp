@@ -4,11 +4,13 @@
 #include <fstream>
 #include <vector>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
+#include "frame/size_text.h"
 #include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
+#include "sources/indexed_source.h"
 #include "sources/stereo_files.h"
-#include "sources/text_scan.h"
 #include "sources/video_stream.h"
 #include "stereo/calibration.h"
 
@@ -19,10 +21,6 @@ namespace fs = std::filesystem;
 using Stamps = std::vector<double>;
 
 constexpr double imageRate = 10.0;
-
-std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
 
 StereoRig calibrationOf(const StereoFiles& files, const SourceOptions& options) {
   if (!options.calibration.empty()) return readCalibration(options.calibration, files.cameras);
@@ -44,7 +42,7 @@ Stamps readStamps(const fs::path& file, std::size_t count) {
     if (parts.empty() || parts.front().starts_with('#')) continue;
     const auto seconds = toNumber<double>(parts.front());
     if (!seconds || !std::isfinite(*seconds) || (!stamps.empty() && *seconds < stamps.back())) {
-      throw Error(file.string() + " line " + std::to_string(number),
+      throw Error(file.string() + ", line " + std::to_string(number),
                   "this is not a time in seconds after the line above", "Correct or remove it.");
     }
     stamps.push_back(*seconds);
@@ -69,91 +67,89 @@ Stamps pairStamps(const StereoFiles& files, std::size_t count, double rate) {
   return stamps;
 }
 
-double meanRate(const Stamps& stamps, double otherwise) {
-  const double span = stamps.back() - stamps.front();
-  return span > 0 ? static_cast<double>(stamps.size() - 1) / span : otherwise;
+std::unique_ptr<ImageStream> openStream(const std::vector<fs::path>& files, bool video) {
+  if (video) return std::make_unique<VideoStream>(files.front());
+  return std::make_unique<ImageSequence>(files);
 }
 
-class StereoSource : public FrameSource {
+/// Two cameras' pictures that belong together by index.
+struct StereoRecording {
+  std::shared_ptr<const StereoRig> rig;
+  std::unique_ptr<ImageStream> left;
+  std::unique_ptr<ImageStream> right;
+  Stamps stamps;  ///< one a pair
+  double rate = imageRate;
+};
+
+void checkStreams(const StereoFiles& files, const StereoRecording& recording) {
+  const auto left = recording.left->count(), right = recording.right->count();
+  if (left != right) {
+    throw Error(files.left.front().string(),
+                "it has " + std::to_string(left) + " frames, but the right video has " +
+                    std::to_string(right),
+                "Cut both videos to the same frames.");
+  }
+  const auto size = recording.left->size();
+  const cv::Size calibrated = recording.rig->imageSize;
+  if (size && !calibrated.empty() && *size != calibrated) {
+    throw Error(files.left.front().string(),
+                "the pictures are " + sizeText(*size) + ", but the calibration is for " +
+                    sizeText(calibrated),
+                "Give the calibration of this recording.");
+  }
+}
+
+StereoRecording openRecording(const StereoFiles& files, const StereoRig& rig) {
+  StereoRecording recording{std::make_shared<StereoRig>(rig),
+                            openStream(files.left, files.video),
+                            openStream(files.right, files.video),
+                            {},
+                            imageRate};
+  checkStreams(files, recording);
+  const double rate = recording.left->rate().value_or(imageRate);
+  recording.stamps = pairStamps(files, recording.left->count(), rate);
+  recording.rate = meanRate(recording.stamps, rate);
+  return recording;
+}
+
+class StereoSource : public IndexedSource {
  public:
-  StereoSource(const StereoFiles& files, std::string address, const StereoRig& rig)
-      : m_rig(std::make_shared<StereoRig>(rig)) {
-    m_left = openStream(files.left, files.video);
-    m_right = openStream(files.right, files.video);
-    checkStreams(files);
-    const double rate = m_left->rate().value_or(imageRate);
-    m_stamps = pairStamps(files, m_left->count(), rate);
-    m_info = {std::move(address), m_left->count(), meanRate(m_stamps, rate), false};
-    if (!m_rig->imageSize.empty()) m_size = m_rig->imageSize;
+  StereoSource(StereoRecording recording, const std::string& address)
+      : IndexedSource(address, recording.stamps.size(), recording.rate),
+        m_recording(std::move(recording)) {
+    if (const cv::Size size = m_recording.rig->imageSize; !size.empty()) m_size = size;
   }
 
-  SourceInfo info() const override { return m_info; }
-
-  bool seek(std::size_t index) override {
-    if (index >= m_stamps.size()) return false;
-    m_next = index;
-    return true;
-  }
-
-  ReadResult next(std::chrono::milliseconds) override {
-    if (m_next >= m_stamps.size()) return {};
-    const StreamImage left = m_left->read(m_next);
-    const StreamImage right = m_right->read(m_next);
-    if (left.end || right.end) return {};
-    const std::size_t index = m_next++;
-    const std::string fault = faultOf(left, right);
-    if (!fault.empty()) return {ReadResult::Status::Bad, nullptr, fault, 0};
+ protected:
+  ReadResult read(std::size_t index) override {
+    const StreamImage left = m_recording.left->read(index);
+    const StreamImage right = m_recording.right->read(index);
+    if (left.end || right.end) return end();
+    if (std::string fault = faultOf(left, right); !fault.empty()) return bad(std::move(fault));
     auto frame = std::make_shared<Frame>();
     frame->sequence = index;
-    frame->stamp = m_stamps[index];
+    frame->stamp = m_recording.stamps[index];
     frame->left = left.image;
     frame->right = right.image;
-    frame->rig = m_rig;
-    return {ReadResult::Status::Ok, frame, "", 0};
+    frame->rig = m_recording.rig;
+    return ok(std::move(frame));
   }
 
  private:
-  static std::unique_ptr<ImageStream> openStream(const std::vector<fs::path>& files, bool video) {
-    if (video) return std::make_unique<VideoStream>(files.front());
-    return std::make_unique<ImageSequence>(files);
-  }
-
-  void checkStreams(const StereoFiles& files) const {
-    const auto left = m_left->count(), right = m_right->count();
-    if (left != right) {
-      throw Error(files.left.front().string(),
-                  "it has " + std::to_string(left) + " frames, but the right video has " +
-                      std::to_string(right),
-                  "Cut both videos to the same frames.");
-    }
-    const auto size = m_left->size();
-    if (size && !m_rig->imageSize.empty() && *size != m_rig->imageSize) {
-      throw Error(files.left.front().string(),
-                  "the pictures are " + text(*size) + ", but the calibration is for " +
-                      text(m_rig->imageSize),
-                  "Give the calibration of this recording.");
-    }
-  }
-
   std::string faultOf(const StreamImage& left, const StreamImage& right) {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
     const cv::Size size = left.image.size();
     if (size != right.image.size()) {
-      return "left is " + text(size) + " and right is " + text(right.image.size());
+      return "left is " + sizeText(size) + " and right is " + sizeText(right.image.size());
     }
     if (!m_size) m_size = size;
     if (size == *m_size) return "";
-    return "the pictures changed from " + text(*m_size) + " to " + text(size);
+    return "the pictures changed from " + sizeText(*m_size) + " to " + sizeText(size);
   }
 
-  std::shared_ptr<const StereoRig> m_rig;
-  std::unique_ptr<ImageStream> m_left;
-  std::unique_ptr<ImageStream> m_right;
-  Stamps m_stamps;
-  SourceInfo m_info;
+  StereoRecording m_recording;
   std::optional<cv::Size> m_size;  ///< absent until the first pair that could be read
-  std::size_t m_next = 0;
 };
 
 }  // namespace
@@ -161,7 +157,8 @@ class StereoSource : public FrameSource {
 std::unique_ptr<FrameSource> openStereoSource(const std::string& path, const std::string& address,
                                               const SourceOptions& options) {
   const StereoFiles files = findStereoFiles(path);
-  return std::make_unique<StereoSource>(files, address, calibrationOf(files, options));
+  return std::make_unique<StereoSource>(openRecording(files, calibrationOf(files, options)),
+                                        address);
 }
 
 }  // namespace boomwatch

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
+#include "files/file_bytes.h"
 #include "frame/error.h"
 #include "stereo/calibration_formats.h"
 
@@ -15,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A calibration takes a few kilobytes.
-constexpr std::uintmax_t largestFile = 256 * 1024;
+constexpr std::size_t largestFile = 256 * 1024;
 // Wider than any rig; a calibration in millimetres lands beyond it.
 constexpr double widestBaseline = 10.0;
 constexpr double rotationTolerance = 1e-3;
@@ -105,18 +104,8 @@ StereoRig parse(const fs::path& file, const std::string& text, CameraPair pair) 
 }  // namespace
 
 std::string readCalibrationText(const fs::path& file) {
+  const std::string text = readFileBytes(file, largestFile);
   const std::string remedy = "Give a stereo calibration: OpenCV YAML or XML, or a calib.txt.";
-  std::error_code fault;
-  const auto status = fs::status(file, fault);
-  if (!fs::exists(status)) throw Error(file.string(), "there is no such file", remedy);
-  if (!fs::is_regular_file(status)) throw Error(file.string(), "this is not a file", remedy);
-  const auto size = fs::file_size(file, fault);
-  if (fault || size > largestFile) {
-    throw Error(file.string(), "this is too large to be a calibration", remedy);
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw Error(file.string(), "this cannot be read", "Check its permissions.");
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw Error(file.string(), "this is empty", remedy);
   }

@@ -15,8 +15,8 @@ StereoRig parseKittiCalibration(const std::filesystem::path& file, const std::st
                                 CameraPair pair);
 StereoRig parseMiddleburyCalibration(const std::filesystem::path& file, const std::string& text);
 
-/// The text of a small file. Throws Error when it is missing, a folder, empty, binary or too large
-/// to be a calibration.
+/// The text of a small file. Throws Error when it is missing, a folder, empty, binary or larger
+/// than any calibration.
 std::string readCalibrationText(const std::filesystem::path& file);
 
 }  // namespace boomwatch

@@ -2,8 +2,8 @@
 #include <charconv>
 #include <optional>
 
+#include "files/opencv_file.h"
 #include "frame/error.h"
-#include "sources/opencv_file.h"
 #include "stereo/calibration_formats.h"
 
 namespace boomwatch {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "frame/error.h"
+#include "frame/size_text.h"
 
 namespace boomwatch {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 constexpr int subpixels = 16;
 // Above it, SGBM's 16-bit costs overflow.
 constexpr int largestSgbmBlock = 15;
-
-std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
 
 void require(bool condition, const std::string& where, const std::string& what,
              const std::string& remedy) {
@@ -53,7 +50,7 @@ void checkImages(const cv::Mat& left, const cv::Mat& right) {
             "an image is not 8-bit grey or BGR", fix);
   }
   require(!left.empty() && left.size() == right.size(), "stereo pair",
-          "left is " + text(left.size()) + " and right is " + text(right.size()), fix);
+          "left is " + sizeText(left.size()) + " and right is " + sizeText(right.size()), fix);
 }
 
 cv::Mat grey(const cv::Mat& image) {
@@ -227,9 +224,10 @@ StereoStage::~StereoStage() = default;
 StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
                                   const StereoParameters& parameters) {
   checkImages(left, right);
-  require(rig.imageSize.empty() || rig.imageSize == left.size(), "stereo calibration",
-          "it is for images of " + text(rig.imageSize) + ", but these are " + text(left.size()),
-          "Give the calibration of this recording.");
+  require(
+      rig.imageSize.empty() || rig.imageSize == left.size(), "stereo calibration",
+      "it is for images of " + sizeText(rig.imageSize) + ", but these are " + sizeText(left.size()),
+      "Give the calibration of this recording.");
   if (!m_maps || !m_maps->fits(rig, left.size())) {
     m_maps = std::make_unique<Maps>(rig, left.size());
     m_smoother.reset();

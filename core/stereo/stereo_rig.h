@@ -17,6 +17,7 @@ struct StereoRig {
   cv::Vec3d translation;                      ///< T, metres
   bool rectified = false;
 
+  /// Metres.
   double baseline() const { return cv::norm(translation); }
 };
 

@@ -1,9 +1,10 @@
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
 
+#include "files/text_scan.h"
 #include "frame/error.h"
 #include "stereo/calibration_formats.h"
 
@@ -12,23 +13,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Numbers parted by blanks, commas, semicolons or brackets. Independent of the locale, which a
-// window toolkit may have set to one with a decimal comma.
+// Numbers parted by blanks, commas, semicolons or brackets.
 std::vector<double> numbersIn(const fs::path& file, const std::string& key, std::string_view text) {
   constexpr std::string_view separators = " \t\r,;[]";
   std::vector<double> numbers;
   for (std::size_t at = text.find_first_not_of(separators); at != std::string_view::npos;
        at = text.find_first_not_of(separators, at)) {
     const auto end = std::min(text.find_first_of(separators, at), text.size());
-    double value = 0;
-    const auto [stop, fault] = std::from_chars(text.data() + at, text.data() + end, value);
-    if (fault != std::errc() || stop != text.data() + end) {
+    const std::string_view word = text.substr(at, end - at);
+    const auto value = toNumber<double>(word);
+    if (!value) {
       throw Error(file.string(),
-                  key + ": '" + std::string(text.substr(at, std::min(end - at, std::size_t{40}))) +
-                      "' is not a number",
+                  key + ": '" + std::string(word.substr(0, 40)) + "' is not a number",
                   "Give KITTI's or Middlebury's calib.txt, or an OpenCV YAML file.");
     }
-    numbers.push_back(value);
+    numbers.push_back(*value);
     at = end;
   }
   return numbers;

@@ -1,6 +1,5 @@
 #include "main_window.h"
 
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>

@@ -5,7 +5,6 @@
 #include <octomap/octomap.h>
 
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 

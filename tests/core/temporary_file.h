@@ -6,7 +6,6 @@
 #include <QTemporaryDir>
 #include <QtTest>
 #include <filesystem>
-#include <string>
 
 #include "frame/error.h"
 

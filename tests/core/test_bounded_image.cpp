@@ -3,7 +3,8 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "sources/bounded_image.h"
+#include "files/bounded_image.h"
+#include "temporary_file.h"
 
 using namespace boomwatch;
 namespace fs = std::filesystem;
@@ -37,9 +38,7 @@ class TestBoundedImage : public QObject {
     for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
              {"a.png", png}, {"a.pgm", pgm}, {"a.bmp", bmp}, {"a.jpg", jpg}}) {
       writeText(name, text);
-      const auto result = readImage(m_folder / name);
-      QVERIFY(result.image.empty());
-      QVERIFY2(QString::fromStdString(result.fault).contains("is not read"), result.fault.c_str());
+      COMPARE_CONTAINS(errorOf([&] { readImage(m_folder / name); }), QString("is not read"));
       QVERIFY(!imageSize(m_folder / name));
     }
   }
@@ -49,7 +48,7 @@ class TestBoundedImage : public QObject {
       const int type = name == "a.pgm" ? CV_8UC1 : CV_8UC3;
       const auto file = write(name, cv::Mat(37, 53, type, cv::Scalar(1, 2, 3)));
       QVERIFY2(imageSize(file) == cv::Size(53, 37), name.c_str());
-      QVERIFY2(readImage(file).image.size() == cv::Size(53, 37), name.c_str());
+      QVERIFY2(readImage(file).size() == cv::Size(53, 37), name.c_str());
     }
   }
 
@@ -62,8 +61,7 @@ class TestBoundedImage : public QObject {
       const std::string whole(std::istreambuf_iterator<char>(stream), {});
       for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 12) {
         writeText(name, whole.substr(0, size));
-        const auto result = readImage(file);
-        QVERIFY2(result.image.empty() && !result.fault.empty(), name);
+        QVERIFY2(errorOf([&] { readImage(file); }).contains(name), name);
       }
     }
   }

@@ -9,9 +9,9 @@
 #include <QtTest>
 #include <fstream>
 
-#include "frame/error.h"
 #include "sources/camera_source.h"
 #include "sources/live_stream.h"
+#include "temporary_file.h"
 
 using namespace boomwatch;
 using namespace std::chrono_literals;
@@ -83,12 +83,7 @@ class TestCameraSource : public QObject {
     return openCameraSource(devices, "camera:" + devices, m_options);
   }
   QString faultOf(const std::string& devices, const SourceOptions& options) {
-    try {
-      openCameraSource(devices, "camera:" + devices, options);
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
+    return errorOf([&] { openCameraSource(devices, "camera:" + devices, options); });
   }
 
  private slots:

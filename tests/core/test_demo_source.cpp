@@ -5,7 +5,6 @@
 #include <random>
 
 #include "environment/grid.h"
-#include "simulation/convex_distance.h"
 #include "simulation/demo_source.h"
 #include "simulation/pinhole_view.h"
 #include "simulation/scene.h"
@@ -138,15 +137,17 @@ void addSceneRows() {
 
 class TestDemoSource : public QObject {
   Q_OBJECT
- private slots:
-  void distancesToCylindersAreThoseOfBruteForce() {
-    std::mt19937 random(3);
+
+  /// 300 random loads against the solids that `solidOf` gives.
+  template <class SolidOf>
+  static void distancesAreThoseOfBruteForce(unsigned seed, SolidOf&& solidOf) {
+    std::mt19937 random(seed);
     int apart = 0;
     for (int k = 0; k < 300; ++k) {
       const OrientedBox load = randomLoad(random);
-      const Cylinder cylinder{{0.3, 0.2, 5.0}, Vector3d(k % 3, 3, k % 2).normalized(), 3.0, 0.15};
-      const double wanted = bruteForce(load, cylinder);
-      const double got = distance(load, cylinder);
+      const auto solid = solidOf(random, k);
+      const double wanted = bruteForce(load, solid);
+      const double got = distance(load, solid);
       QVERIFY2(
           std::abs(got - wanted) < 1e-3,
           qPrintable(QString("%1: %2, not %3").arg(k).arg(got, 0, 'g', 9).arg(wanted, 0, 'g', 9)));
@@ -155,20 +156,15 @@ class TestDemoSource : public QObject {
     QVERIFY(apart > 100 && apart < 290);
   }
 
+ private slots:
+  void distancesToCylindersAreThoseOfBruteForce() {
+    distancesAreThoseOfBruteForce(3, [](std::mt19937&, int k) -> Cylinder {
+      return {{0.3, 0.2, 5.0}, Vector3d(k % 3, 3, k % 2).normalized(), 3.0, 0.15};
+    });
+  }
+
   void distancesToBoxesAreThoseOfBruteForce() {
-    std::mt19937 random(4);
-    int apart = 0;
-    for (int k = 0; k < 300; ++k) {
-      const OrientedBox load = randomLoad(random);
-      const OrientedBox box = randomLoad(random);
-      const double wanted = bruteForce(load, box);
-      const double got = distance(load, box);
-      QVERIFY2(
-          std::abs(got - wanted) < 1e-3,
-          qPrintable(QString("%1: %2, not %3").arg(k).arg(got, 0, 'g', 9).arg(wanted, 0, 'g', 9)));
-      apart += wanted > 0.01;
-    }
-    QVERIFY(apart > 100 && apart < 290);
+    distancesAreThoseOfBruteForce(4, [](std::mt19937& random, int) { return randomLoad(random); });
   }
 
   // Coordinates in steps of a quarter make bodies that touch, are parallel, or are flat.

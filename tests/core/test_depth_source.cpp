@@ -213,7 +213,7 @@ class TestDepthSource : public QObject {
       QTest::newRow(title) << name << bytes << complaint;
     };
     row("empty", "depth/2.png", "", "empty");
-    row("not an image", "depth/2.png", "hello", "neither a PNG");
+    row("not an image", "depth/2.png", "hello", "not a PNG");
     row("truncated", "depth/2.png", depthPng(7, {64, 48}).left(60), "damaged");
     row("wrong size", "depth/2.png", depthPng(7, {5, 3}), "5 x 3");
     row("eight bits", "depth/2.png", png(cv::Mat(3, 4, CV_8UC1, cv::Scalar(3))), "16 bits");
@@ -221,10 +221,10 @@ class TestDepthSource : public QObject {
     row("colour of other size", "colour/2.png", colourPng(1, {8, 6}), "8 x 6");
     QByteArray bomb = depthPng(7);
     bomb.replace(16, 8, QByteArray::fromHex("0000ffff0000ffff"));
-    row("claims four billion pixels", "depth/2.png", bomb, "100000000");
+    row("claims four billion pixels", "depth/2.png", bomb, "65535 x 65535");
     row("jpeg that claims four billion", "colour/2.png",
-        QByteArray::fromHex("ffd8ffe0000400 00ffc0001108ffffffff03"), "100000000");
-    row("jpeg without a frame", "colour/2.png", QByteArray::fromHex("ffd8ffd9"), "neither");
+        QByteArray::fromHex("ffd8ffe0000400 00ffc0001108ffffffff03"), "65535 x 65535");
+    row("jpeg without a frame", "colour/2.png", QByteArray::fromHex("ffd8ffd9"), "not a PNG");
   }
   void badImagesAreBadFramesAndTheNextOneIsRead() {
     QFETCH(QString, name);

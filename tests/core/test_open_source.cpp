@@ -1,7 +1,7 @@
 #include <QtTest>
 
-#include "frame/error.h"
 #include "sources/frame_source.h"
+#include "temporary_file.h"
 
 using namespace boomwatch;
 
@@ -9,12 +9,7 @@ class TestOpenSource : public QObject {
   Q_OBJECT
 
   static QString faultOf(const std::string& address) {
-    try {
-      openSource(address);
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
+    return errorOf([&] { openSource(address); });
   }
 
  private slots:

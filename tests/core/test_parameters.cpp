@@ -1,6 +1,5 @@
 #include <QtTest>
 #include <limits>
-#include <set>
 
 #include "pipeline/parameter_table.h"
 #include "temporary_file.h"

@@ -1,6 +1,5 @@
 #include <Eigen/Geometry>
 #include <QtTest>
-#include <random>
 
 #include "environment/environment_model.h"
 #include "environment/low_pass.h"

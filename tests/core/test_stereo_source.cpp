@@ -4,9 +4,9 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
-#include "frame/error.h"
 #include "sources/stereo_source.h"
 #include "stereo/stereo_rig.h"
+#include "temporary_file.h"
 
 using namespace boomwatch;
 using namespace std::chrono_literals;
@@ -58,12 +58,7 @@ class TestStereoSource : public QObject {
     return openStereoSource(path, "stereo:" + path, {});
   }
   QString faultOf(const std::string& path, const SourceOptions& options = {}) {
-    try {
-      openStereoSource(path, "stereo:" + path, options);
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
+    return errorOf([&] { openStereoSource(path, "stereo:" + path, options); });
   }
 
  private slots:

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <opencv2/videoio.hpp>
 
-#include "frame/error.h"
 #include "sources/stereo_source.h"
+#include "temporary_file.h"
 
 using namespace boomwatch;
 using namespace std::chrono_literals;
@@ -45,12 +45,7 @@ class TestStereoVideo : public QObject {
     return openStereoSource(m_folder.string(), "stereo:" + m_folder.string(), {});
   }
   QString faultOf(const std::string& path) {
-    try {
-      openStereoSource(path, "", {});
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
+    return errorOf([&] { openStereoSource(path, "", {}); });
   }
 
  private slots:

@@ -5,7 +5,6 @@
 
 #include "environment/grid.h"
 #include "environment/voxel_grid.h"
-#include "real_data.h"
 
 using boomwatch::Points;
 using Eigen::Vector3f;

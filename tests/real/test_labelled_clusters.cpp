@@ -3,7 +3,6 @@
 #include <map>
 
 #include "environment/clusters.h"
-#include "environment/voxel_grid.h"
 #include "real_data.h"
 #include "sources/cloud_file.h"
 

@@ -92,8 +92,6 @@ Parameters parametersFor(const StereoSet& set, const Points& truth) {
       std::max(2.0 * median / set.rig.leftMatrix(0, 0), b.zMax / GridGeometry::levels);
   parameters.stereo = settings(set);
   parameters.filter.clusterTolerance = 3.0 * parameters.model.resolution;
-  // One picture stands for a still scene here.
-  parameters.validity.identicalFrames = 1000;
   parameters.validity.sceneMotion = 1.0;
   return parameters;
 }
@@ -133,6 +131,7 @@ FramePtr frameOf(const StereoResult& stereo, std::uint64_t sequence,
                  const std::optional<OrientedBox>& load) {
   auto frame = std::make_shared<Frame>();
   frame->sequence = sequence;
+  frame->still = true;
   frame->left = stereo.left;
   frame->cloud = stereo.cloud;
   frame->load = load;

@@ -3,7 +3,6 @@
 #include <QtTest>
 
 #include "map_view.h"
-#include "scene_for_tests.h"
 #include "theme.h"
 
 using namespace boomwatch;

@@ -1,4 +1,4 @@
-#include "sources/opencv_file.h"
+#include "files/opencv_file.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -6,9 +6,9 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 
+#include "files/file_bytes.h"
+#include "files/text_scan.h"
 #include "frame/error.h"
-#include "sources/file_bytes.h"
-#include "sources/text_scan.h"
 
 namespace boomwatch {
 namespace {

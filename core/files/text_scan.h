@@ -2,11 +2,30 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace boomwatch {
+
+/// ASCII alone, whatever the locale.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// In small letters; letters outside ASCII stay.
+inline std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+/// With its dot: ".png" of "A.PNG".
+inline std::string lowerExtension(const std::filesystem::path& file) {
+  return lower(file.extension().string());
+}
 
 /// The words of a line, parted by blanks; a carriage return counts as one.
 inline std::vector<std::string_view> words(std::string_view line) {
@@ -20,7 +39,8 @@ inline std::vector<std::string_view> words(std::string_view line) {
   return result;
 }
 
-/// The whole of `text` as a number; absent when it is anything else or does not fit.
+/// The whole of `text` as a number; absent when it is anything else or does not fit. Independent of
+/// the locale, which a window toolkit may have set to one with a decimal comma.
 template <class T>
 std::optional<T> toNumber(std::string_view text) {
   T value{};

@@ -1,4 +1,4 @@
-#include "sources/file_bytes.h"
+#include "files/file_bytes.h"
 
 #include <fstream>
 
