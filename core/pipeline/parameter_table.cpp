@@ -240,6 +240,18 @@ constexpr auto table = std::to_array<ParameterInfo>({
                                      "unlit or blank ones give no depth; 0 is off"),
                                   "grey/px"},
                                  {0, 50, 0.1}),
+    row<&P::stereo, &S::average>(
+        "stereo_average",
+        {TR("Stereo"), TR("Average"),
+         TR("Frames that a disparity is the mean of: less noise from a still camera, but small "
+            "changes are seen 4 frames later; 1 is off"),
+         "frames"},
+        {1, 200, 5}),
+    row<&P::stereo, &S::smooth>(
+        "stereo_smooth",
+        {TR("Stereo"), TR("Smooth"),
+         TR("Width of the neighbourhood that a disparity is the mean of; 0 is off"), "px"},
+        {0, 99, 6}),
     row<&P::validity, &V::maxFrameAge>(
         "max_frame_age",
         {TR("Validity"), TR("Frame age"), TR("Longer without a frame, and there is no distance"),
