@@ -172,8 +172,8 @@ DepthRecording folderRecording(const fs::path& folder) {
 }
 
 double rateOf(const std::vector<DepthFrameFiles>& frames) {
-  std::vector<double> stamps;
-  for (const DepthFrameFiles& frame : frames) stamps.push_back(frame.stamp);
+  std::vector<double> stamps(frames.size());
+  std::ranges::transform(frames, stamps.begin(), &DepthFrameFiles::stamp);
   return meanRate(stamps, assumedRate);
 }
 

@@ -4,34 +4,17 @@
 #include <pcl/segmentation/extract_clusters.h>
 
 #include <filesystem>
-#include <random>
 #include <string>
 
 #include "benchmark.h"
 #include "environment/clusters.h"
 #include "environment/voxel_grid.h"
+#include "floor_with_boxes.h"
 
 using boomwatch::Points;
 namespace bench = boomwatch::bench;
 
 namespace {
-
-/// A floor, forty boxes on it and noise, as 442,368 pixels see them.
-Points syntheticCloud() {
-  std::mt19937 random(1);
-  std::normal_distribution<float> noise(0.0F, 0.01F);
-  Points points;
-  for (int v = 0; v < 576; ++v) {
-    for (int u = 0; u < 768; ++u) {
-      const bool box = (u / 48) % 2 == 0 && (v / 57) % 2 == 0;
-      const float z = 9.0F - 5.0F * static_cast<float>(v) / 576.0F - (box ? 0.5F : 0.0F);
-      points.push_back((z + noise(random)) * Eigen::Vector3f((static_cast<float>(u) - 384) / 700,
-                                                             (static_cast<float>(v) - 288) / 700,
-                                                             1.0F));
-    }
-  }
-  return points;
-}
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr toPcl(const Points& points) {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
@@ -78,7 +61,7 @@ void compareRawAndDownsampled(const std::string& name, const Points& points) {
 
 /// Arguments: PCD files to measure as well, e.g. recordings with ground truth.
 int main(int count, char** arguments) {
-  compareRawAndDownsampled("synthetic", syntheticCloud());
+  compareRawAndDownsampled("synthetic", bench::floorWithBoxes().points);
   for (int k = 1; k < count; ++k) {
     pcl::PointCloud<pcl::PointXYZ> cloud;
     if (pcl::io::loadPCDFile(arguments[k], cloud) != 0) return 1;

@@ -8,6 +8,7 @@
 #include "benchmark.h"
 #include "environment/static_scene.h"
 #include "environment/voxel_grid.h"
+#include "floor_with_boxes.h"
 
 using boomwatch::Cloud;
 using boomwatch::Parameters;
@@ -15,21 +16,13 @@ namespace bench = boomwatch::bench;
 
 namespace {
 
-/// A floor, forty boxes on it and noise, as 442,368 pixels see them; every tenth pixel unmeasured.
+/// Every tenth pixel unmeasured.
 Cloud organisedCloud() {
-  std::mt19937 random(1);
-  std::normal_distribution<float> noise(0.0F, 0.01F);
+  std::mt19937 random(2);
   std::uniform_int_distribution<int> tenth(0, 9);
-  Cloud cloud{768, 576, {}};
-  for (int v = 0; v < cloud.height; ++v) {
-    for (int u = 0; u < cloud.width; ++u) {
-      const bool box = (u / 48) % 2 == 0 && (v / 57) % 2 == 0;
-      const float z = 9.0F - 5.0F * static_cast<float>(v) / 576.0F - (box ? 0.5F : 0.0F);
-      const Eigen::Vector3f ray((static_cast<float>(u) - 384) / 700,
-                                (static_cast<float>(v) - 288) / 700, 1.0F);
-      cloud.points.push_back(tenth(random) == 0 ? boomwatch::unmeasuredPoint()
-                                                : Eigen::Vector3f((z + noise(random)) * ray));
-    }
+  Cloud cloud = bench::floorWithBoxes();
+  for (Eigen::Vector3f& point : cloud.points) {
+    if (tenth(random) == 0) point = boomwatch::unmeasuredPoint();
   }
   return cloud;
 }
