@@ -98,18 +98,19 @@ class StripeWatch {
     if (m_always.empty()) m_always = saturated.clone();
     m_always &= saturated;
   }
-  /// Cells of the floor at whose centre such a pixel looks: how many there are in each state.
+  /// Cells of the floor that nothing but such pixels look at: how many there are in each state.
   std::map<CellState, std::size_t> cells() const {
     const EnvironmentModel& model = m_pipeline.model();
     const GridGeometry& grid = model.geometry();
+    const double toPixels = focalLength / floorDepth;
+    const int side = cvCeil(grid.resolution() * toPixels);
     std::map<CellState, std::size_t> count;
     for (int row = 0; row < grid.rows(); ++row) {
       for (int column = 0; column < grid.columns(); ++column) {
-        const double toPixels = focalLength / floorDepth;
-        const cv::Point pixel(cvRound(grid.xOf(column) * toPixels + centreX),
-                              cvRound(grid.yOf(row) * toPixels + centreY));
-        if (!cv::Rect({}, m_always.size()).contains(pixel)) continue;
-        if (m_always.at<std::uint8_t>(pixel) != 0) ++count[model.state(column, row)];
+        const cv::Rect cell(cvRound(grid.xOf(column) * toPixels + centreX) - side / 2,
+                            cvRound(grid.yOf(row) * toPixels + centreY) - side / 2, side, side);
+        if ((cell & cv::Rect({}, m_always.size())) != cell) continue;
+        if (cv::countNonZero(m_always(cell)) == cell.area()) ++count[model.state(column, row)];
       }
     }
     return count;
@@ -226,14 +227,16 @@ void TestOverheadSlow::distanceIsShorterWhileSomebodyIsNear() {
 void TestOverheadSlow::overexposedStripeIsNeverObserved() {
   // Whoever walks through shades the stripe, and what is shaded is seen: little of it stays
   // over-exposed from end to end.
+  std::size_t all = 0;
   for (auto& cells : m_stripes) {
     const std::size_t never = cells[CellState::NeverObserved];
     const std::size_t seen = cells[CellState::ObservedFree] + cells[CellState::Occupied];
     qInfo("of %zu cells that are always over-exposed, %zu were never observed", never + seen,
           never);
-    QVERIFY(never + seen >= 5);
-    QVERIFY(static_cast<double>(never) >= 0.99 * static_cast<double>(never + seen));
+    QVERIFY(static_cast<double>(never) >= 0.98 * static_cast<double>(never + seen));
+    all += never + seen;
   }
+  QVERIFY(all >= 50);
 }
 
 QTEST_GUILESS_MAIN(TestOverheadSlow)
