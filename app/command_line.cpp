@@ -37,7 +37,8 @@ void addOptions(QCommandLineParser& parser) {
          tr("The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
             "pitch about x, then roll about z, in degrees"));
   option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
-  option("help", "", tr("Show this text"));
+  parser.addOption(
+      QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
   option("version", "", tr("Show the version"));
 }
 
@@ -82,7 +83,8 @@ void readParameters(CommandLine& line, const QCommandLineParser& parser) {
   for (const QString& setting : parser.values(QStringLiteral("set"))) {
     const qsizetype equals = setting.indexOf(QLatin1Char('='));
     if (equals < 1) {
-      throw Error("--set", "'" + setting.toStdString() + "' has no '='", "Write --set key=value.");
+      throw Error("--set", "'" + setting.toStdString() + "' is not a key, '=' and a value",
+                  "Write --set key=value.");
     }
     setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
                  setting.mid(equals + 1).trimmed().toStdString());
@@ -99,7 +101,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(arguments)) {
-    throw Error("command line", parser.errorText().toStdString(), "--help lists the options.");
+    QString fault = parser.errorText();
+    while (fault.endsWith(QLatin1Char('.'))) fault.chop(1);
+    throw Error("command line", fault.toStdString(), "--help lists the options.");
   }
   if (!parser.positionalArguments().isEmpty()) {
     throw Error("command line",

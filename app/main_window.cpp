@@ -161,7 +161,11 @@ void MainWindow::takeNews() { showNews(m_worker->takeNews()); }
 
 void MainWindow::showNews(const News& news) {
   const auto now = Clock::now();
-  if (news.status.address != m_status.address) m_skipped = m_lost = 0;
+  if (news.status.address != m_status.address) {
+    m_skipped = m_lost = 0;
+    // What the last source showed says nothing about this one.
+    if (m_display && !news.display) showNothing();
+  }
   m_skipped += news.skipped;
   m_lost += news.lost;
   showStatus(news.status);
@@ -169,7 +173,8 @@ void MainWindow::showNews(const News& news) {
     WarningLatch levels = news.levels;
     m_hold.note(news.display->result->level, levels.take(), now);
     showDisplay(news.display);
-    if (news.display->result->frame) m_aliveAt = now;
+    // As old as its frame, not as its processing: what took too long to compute is not live.
+    if (news.display->result->frame) m_aliveAt = news.readAt;
   }
   if (news.display && news.frames > 0) {
     const std::chrono::duration<double, std::milli> latency = Clock::now() - news.readAt;
@@ -178,6 +183,7 @@ void MainWindow::showNews(const News& news) {
   }
   m_panes.status->setDropped(m_skipped, m_lost);
   for (const Notice& notice : news.notices) showNotice(notice);
+  watch();
   if (news.finished) emit finished();
 }
 
@@ -236,12 +242,16 @@ void MainWindow::watch() {
   // The worker says so itself, unless it hangs in a driver or is behind with its work.
   const std::chrono::duration<double> age = now - m_aliveAt;
   if (live && shown.frame && age.count() > 2.0 * shown.parameters.validity.maxFrameAge) {
-    const auto none =
-        std::make_shared<const Result>(noFrameResult(Reason::NoFrame, shown.parameters));
-    showDisplay(makeDisplay(none, m_display->options));
+    showNothing();
   } else if (!m_hold.held(now) && m_panes.bar->level() != shown.level) {
     m_panes.bar->setDisplay(m_display);
   }
+}
+
+void MainWindow::showNothing() {
+  const auto none =
+      std::make_shared<const Result>(noFrameResult(Reason::NoFrame, m_display->result->parameters));
+  showDisplay(makeDisplay(none, m_display->options));
 }
 
 void MainWindow::setParameters(const Parameters& parameters) {

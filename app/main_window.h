@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow {
   void showNews(const News& news);
   void showNotice(const Notice& notice);
   void watch();
+  void showNothing();
   void refreshState();
   void send(const Command& command);
   void askForSource(SourceKind kind);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "collision/footprint.h"
 #include "collision/nearest_pair.h"
@@ -21,9 +20,9 @@ struct Span {
 
 class Count {
  public:
-  Count(const GridGeometry& geometry, const std::vector<std::uint8_t>& observed,
-        const Footprint& footprint)
-      : m_geometry(geometry), m_observed(observed), m_footprint(footprint) {}
+  Count(const GridGeometry& geometry, const std::vector<std::uint8_t>& seenTo,
+        std::uint8_t boxLevel, const Footprint& footprint)
+      : m_geometry(geometry), m_seenTo(seenTo), m_boxLevel(boxLevel), m_footprint(footprint) {}
 
   // Absent when no cell's centre lies within the footprint.
   std::optional<double> share() {
@@ -54,9 +53,12 @@ class Count {
     const double first = std::max(columns->first, 0.0);
     const double last = std::min(columns->last, m_geometry.columns() - 1.0);
     if (first > last) return;
-    const auto begin = m_observed.begin() +
+    const auto begin = m_seenTo.begin() +
                        static_cast<std::ptrdiff_t>(m_geometry.index(static_cast<int>(first), row));
-    m_seen += std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(last - first + 1), 0U);
+    const auto end = begin + static_cast<std::ptrdiff_t>(last - first + 1);
+    const std::uint8_t deepEnough = m_boxLevel;
+    m_seen += static_cast<double>(
+        std::count_if(begin, end, [=](std::uint8_t seenTo) { return seenTo >= deepEnough; }));
   }
 
   // Each row while they are few. Of very many, which a wide reach gives, the middle one of each
@@ -73,7 +75,8 @@ class Count {
   }
 
   const GridGeometry& m_geometry;
-  const std::vector<std::uint8_t>& m_observed;
+  const std::vector<std::uint8_t>& m_seenTo;
+  std::uint8_t m_boxLevel;  // of the box's point nearest to the camera
   const Footprint& m_footprint;
   double m_all = 0;
   double m_seen = 0;
@@ -84,18 +87,38 @@ class Count {
 void ObservedShare::rebuild(const EnvironmentModel& model) {
   m_geometry = model.geometry();
   const auto probabilities = model.probabilities();
-  m_observed.resize(probabilities.size());
-  std::transform(probabilities.begin(), probabilities.end(), m_observed.begin(),
-                 [](float p) { return static_cast<std::uint8_t>(p > 0.0F); });
+  const auto levels = model.levels();
+  m_seenTo.resize(levels.size());
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const std::uint8_t free = probabilities[k] > 0.0F ? GridGeometry::levels : 0;
+    m_seenTo[k] = levels[k] > 0 ? levels[k] : free;
+  }
 }
 
 double ObservedShare::query(const OrientedBox& box, double reach) const {
-  if (m_observed.empty() || !isUsable(box) || !std::isfinite(reach)) return 0;
+  if (m_seenTo.empty() || !isUsable(box) || !std::isfinite(reach)) return 0;
+  double nearestZ = m_geometry.bounds().zMax;
+  for (const auto& corner : box.corners()) nearestZ = std::min(nearestZ, corner.z());
+  const std::uint8_t boxLevel = m_geometry.levelOf(nearestZ);
   const Footprint footprint(box, std::max(reach, 0.0));
-  if (const auto share = Count(m_geometry, m_observed, footprint).share()) return *share;
+  const auto share = Count(m_geometry, m_seenTo, boxLevel, footprint).share();
+  if (share) return *share;
   const int column = m_geometry.columnOf(box.centre.x()), row = m_geometry.rowOf(box.centre.y());
   if (!m_geometry.contains(column, row)) return 0;
-  return m_observed[m_geometry.index(column, row)];
+  return m_seenTo[m_geometry.index(column, row)] >= boxLevel;
+}
+
+double watchedDepth(const OrientedBox& box, double reach, const Bounds& bounds) {
+  if (!isUsable(box) || !std::isfinite(reach)) return 0;
+  const double half = box.rotation.row(2).cwiseAbs().dot(box.size) / 2;
+  const double front = box.centre.z() - half, back = box.centre.z() + half;
+  const auto watched = [](double room, double wanted) {
+    if (room < 0) return 0.0;
+    return room >= wanted ? 1.0 : room / wanted;
+  };
+  const double toCamera = std::max(front - std::min(bounds.zMin, 0.0), 0.0);
+  return std::min(watched(front - bounds.zMin, std::min(reach, toCamera)),
+                  watched(bounds.zMax - back, reach));
 }
 
 }  // namespace boomwatch

@@ -8,7 +8,9 @@
 
 namespace boomwatch {
 
-/// How much of the space around a box was ever observed.
+/// How much of the space around a box was ever observed. A cell was never observed where nothing
+/// was ever seen in it, and where its surface lies nearer to the camera than all of the box: what
+/// is beside the box there is hidden behind that surface (the 2.5-D limit, method.md section 6).
 ///
 /// rebuild() after an update of the model, then query() as often as wanted; query() is const and
 /// may run on several threads at once. Keeps a byte a cell: the model may go.
@@ -26,7 +28,14 @@ class ObservedShare {
 
  private:
   GridGeometry m_geometry;
-  std::vector<std::uint8_t> m_observed;  ///< 1 where a cell was ever observed; row-major
+  /// How deep a cell was seen, in depth levels: 0 not at all, 255 through to the end; row-major.
+  std::vector<std::uint8_t> m_seenTo;
 };
+
+/// How much of the `reach` metres before and behind the box lies between zMin and zMax, 0..1, on
+/// the side that is the worse: what is nearer or farther than the bounds is not watched, as little
+/// as what lies beside them. Behind the camera there is nothing to watch. 0 when the box is not one
+/// or `reach` is no finite number; a negative reach counts as 0.
+double watchedDepth(const OrientedBox& box, double reach, const Bounds& bounds);
 
 }  // namespace boomwatch

@@ -22,9 +22,8 @@ void blend(std::span<float> probabilities, std::span<std::uint8_t> levels,
     std::uint8_t* const near = nearness.data() + begin;
     for (std::size_t k = 0; k < count; ++k) {
       const float added = near[k] != 0 ? hit : 0.0F;
-      // The floor keeps a cell observed; one that never was has 0, which stays 0.
-      const float floor = std::min(p[k], EnvironmentModel::observedFloor);
-      p[k] = std::max(kept * p[k] + added, floor);  // Eq. (8)
+      const float updated = kept * p[k] + added;  // Eq. (8)
+      p[k] = updated < EnvironmentModel::observedFloor ? 0.0F : updated;
       above[k] = p[k] > limit ? 0xFF : 0;
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -102,7 +101,7 @@ void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Ve
       const auto here = static_cast<std::uint8_t>(256 - grid.levelOf(z));
       nearness[k] = std::max(nearness[k], here);
     } else if (z > zMax && std::isfinite(z)) {
-      probabilities[k] = std::max(probabilities[k], observedFloor);
+      probabilities[k] = std::max(probabilities[k], seenThrough);
     }
   }
 }

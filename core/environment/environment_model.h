@@ -17,13 +17,16 @@ enum class CellState { NeverObserved, ObservedFree, Occupied };
 /// The 2.5-D probabilistic model of the static surroundings (method.md section 6, Eq. 6, 8-11).
 ///
 /// Row-major arrays of `geometry().columns() x rows()`: a float probability and an 8-bit depth
-/// level a cell, 5 bytes. A probability of exactly 0 means the cell was never observed; an observed
-/// one never falls below `observedFloor`. A level above 0 means occupied. Not thread-safe; copies
-/// are independent.
+/// level a cell, 5 bytes. A level above 0 means occupied. A probability of exactly 0 means the cell
+/// was never observed, or not for so long that Eq. 8 has brought it below `observedFloor` (0.7: 19
+/// frames after 2/3): what was seen once and then gives no depth any more, over-exposed or hidden,
+/// is unknown, not free. Not thread-safe; copies are independent.
 class EnvironmentModel {
  public:
-  /// Keeps an observed cell apart from a never observed one, and denormals out of Eq. 8.
-  static constexpr float observedFloor = 1e-7F;
+  /// Where an observed cell that nothing is measured in any more counts as unobserved again.
+  static constexpr float observedFloor = 1e-3F;
+  /// What a point behind zMax makes of its cell: seen through in this frame.
+  static constexpr float seenThrough = 1e-2F;
 
   EnvironmentModel() : EnvironmentModel(GridGeometry{}) {}
   explicit EnvironmentModel(const GridGeometry& geometry);

@@ -100,20 +100,21 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
   std::transform(points.begin(), points.end(), points.begin(), reprojected);
   const Eigen::Vector3d corner(bounds.xMin, bounds.yMin, bounds.zMin);
   points = voxelCentroids(points, parameters.model.resolution, corner.cast<float>());
-  const std::size_t downsampled = points.size();
-  if (filter.lowPass) points = withoutOutliers(points, filter);
+  if (filter.lowPass) points = withoutOutliers(points, filter, scene.noise);
 
-  const Clusters clusters = euclideanClusters(points, static_cast<float>(filter.clusterTolerance));
+  const double tolerance = std::max(filter.clusterTolerance, 2.0 * parameters.model.resolution);
+  const Clusters clusters = euclideanClusters(points, static_cast<float>(tolerance));
   if (tool) maskTool(scene, points, clusters, reprojected(*tool), parameters);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (clusters.sizes[static_cast<std::size_t>(clusters.labels[i])] < filter.clusterMinimum)
+    if (clusters.sizes[static_cast<std::size_t>(clusters.labels[i])] < filter.clusterMinimum) {
+      scene.noise.push_back(points[i]);
       continue;
+    }
     const Eigen::Vector3d p = points[i].cast<double>();
     const bool dynamic =
         (scene.toolBox && scene.toolBox->contains(p)) || (load && load->contains(p));
     (dynamic ? scene.removed : scene.statics).push_back(points[i]);
   }
-  scene.noise = downsampled - scene.statics.size() - scene.removed.size();
   return scene;
 }
 

@@ -26,12 +26,17 @@ struct StaticScene {
   Points removed;  ///< taken out as dynamic; shown, so that an obstacle among them can be seen
   std::optional<AxisAlignedBox> toolBox;  ///< AABB of the tool's cluster, if and only if Taken
   ToolMask toolMask = ToolMask::NoToolPoint;
-  std::size_t noise = 0;  ///< points dropped by the low-pass, or with clusters that are too small
+  /// Points dropped by the low-pass, or with clusters that are too small: not believed, but no
+  /// evidence that nothing is there.
+  Points noise;
 };
 
 /// Filtering and segmentation in the order of method.md section 5: crop, z-reprojection,
 /// downsample to R, low-pass, Euclidean clusters, small clusters go, the dynamic volume (the AABB
 /// of the tool's cluster, and the load's box) goes. Pure.
+///
+/// Points belong together that are nearer than the cluster tolerance or 2 R, whichever is more:
+/// downsampling to R leaves neighbours up to that far apart, and a surface must not fall to pieces.
 ///
 /// The tool's cluster is the one whose centre (mean of its points) is nearest to `tool`, among
 /// those that have a point at the tool: a long boom's centre is far from its end, and a stone's may

@@ -9,6 +9,9 @@ namespace {
 /// One frame that shakes is no reason to forget the model; this many in a row are.
 constexpr int movingFramesToForget = 3;
 
+/// A live source may lose a few frames; after more, whatever came meanwhile is not in the model.
+constexpr std::uint64_t mostLostFrames = 10;
+
 bool samePixels(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != b.type()) return false;
   const std::size_t rowBytes = a.elemSize() * static_cast<std::size_t>(a.cols);
@@ -34,9 +37,14 @@ double fillOf(const Cloud& cloud) {
 }  // namespace
 
 /// Bit for bit: no real sensor gives the same picture twice.
-bool FrameChecks::repeats(const FramePtr& frame) {
+bool FrameChecks::repeats(const FramePtr& frame) const {
   return m_previous && !frame->still && samePixels(frame->left, m_previous->left) &&
          samePixels(frame->right, m_previous->right) && samePoints(frame->cloud, m_previous->cloud);
+}
+
+bool FrameChecks::isFromAnotherTime(const Frame& frame) const {
+  return m_previous && (frame.sequence < m_previous->sequence ||
+                        frame.sequence > m_previous->sequence + mostLostFrames + 1);
 }
 
 FrameChecks::Verdict FrameChecks::examine(const FramePtr& frame, const cv::Mat& image,
@@ -44,6 +52,7 @@ FrameChecks::Verdict FrameChecks::examine(const FramePtr& frame, const cv::Mat& 
                                           const ValidityParameters& parameters) {
   Verdict verdict;
   verdict.fill = fillOf(cloud);
+  const bool jumped = isFromAnotherTime(*frame);
   m_equalFrames = repeats(frame) ? m_equalFrames + 1 : 1;
   m_previous = frame;
   // At 1 the check is off: no share is larger.
@@ -51,7 +60,7 @@ FrameChecks::Verdict FrameChecks::examine(const FramePtr& frame, const cv::Mat& 
                                                                         : std::nullopt;
   const bool moves = moved && *moved > parameters.sceneMotion;
   m_movingFrames = moves ? m_movingFrames + 1 : 0;
-  verdict.modelIsStale = m_movingFrames >= movingFramesToForget;
+  verdict.modelIsStale = jumped || m_movingFrames >= movingFramesToForget;
 
   if (m_equalFrames >= parameters.identicalFrames) {
     verdict.reason = Reason::IdenticalFrames;

@@ -13,7 +13,8 @@ class FrameChecks {
   struct Verdict {
     Reason reason = Reason::None;
     double fill = 0.0;  ///< share of the cloud that was measured
-    /// The camera has moved for so long that what was learnt before holds no more.
+    /// What was learnt before holds no more: the camera has moved for too long, or this frame is
+    /// from another time (a recording was wound back or on, or begins anew).
     bool modelIsStale = false;
   };
 
@@ -24,7 +25,8 @@ class FrameChecks {
   void reset();
 
  private:
-  bool repeats(const FramePtr& frame);
+  bool repeats(const FramePtr& frame) const;
+  bool isFromAnotherTime(const Frame& frame) const;
 
   FramePtr m_previous;
   int m_equalFrames = 1;

@@ -185,7 +185,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::filter, &F::lowPassMinimum>(
         "low_pass_minimum",
         {TR("Filter"), TR("Neighbours needed"), TR("radius: neighbours a point must have")},
-        {1, 1000, 1}),
+        {1, 200, 1}),
     row<&P::filter, &F::clusterTolerance>(
         "cluster_tolerance",
         {TR("Filter"), TR("Cluster tolerance"), TR("Points nearer than this belong together"), "m"},
@@ -216,7 +216,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::stereo, &S::uniqueness>("stereo_uniqueness",
                                     {TR("Stereo"), TR("Uniqueness"),
                                      TR("By how much the best match must beat the second"), "%"},
-                                    {0, 100, 1}),
+                                    {0, 99, 1}),
     row<&P::stereo, &S::consistency>(
         "stereo_consistency",
         {TR("Stereo"), TR("Consistency"),
@@ -240,6 +240,18 @@ constexpr auto table = std::to_array<ParameterInfo>({
                                      "unlit or blank ones give no depth; 0 is off"),
                                   "grey/px"},
                                  {0, 50, 0.1}),
+    row<&P::stereo, &S::average>(
+        "stereo_average",
+        {TR("Stereo"), TR("Average"),
+         TR("Frames that a disparity is the mean of: less noise from a still camera, but small "
+            "changes are seen 4 frames later; 1 is off"),
+         "frames"},
+        {1, 200, 5}),
+    row<&P::stereo, &S::smooth>(
+        "stereo_smooth",
+        {TR("Stereo"), TR("Smooth"),
+         TR("Width of the neighbourhood that a disparity is the mean of; 0 is off"), "px"},
+        {0, 99, 6}),
     row<&P::validity, &V::maxFrameAge>(
         "max_frame_age",
         {TR("Validity"), TR("Frame age"), TR("Longer without a frame, and there is no distance"),
@@ -263,7 +275,7 @@ constexpr auto table = std::to_array<ParameterInfo>({
         "min_observed",
         {TR("Validity"), TR("Smallest observed share"),
          TR("Share of the load's neighbourhood that must have been observed")},
-        {0, 1, 0.05}),
+        {0.01, 1, 0.05}),
 });
 #undef TR
 

@@ -40,6 +40,52 @@ void requireModelFits(const Parameters& p) {
   }
 }
 
+/// "Nothing in range" is shown as clear, so the search has to reach as far as caution begins.
+void requireReach(const Parameters& p) {
+  const double caution = p.warning.cautionDistance;
+  const std::string than = " m, less than caution_distance (" + format(caution) + " m)";
+  if (p.clearance.method == ClearanceMethod::Exact && p.clearance.range < caution) {
+    throw Error("parameter 'range'",
+                "the search ends at " + format(p.clearance.range) + than +
+                    ": what is between would be called clear",
+                "Raise range or lower caution_distance.");
+  }
+  const double ray = p.clearance.radius * p.model.resolution;
+  if (p.clearance.method == ClearanceMethod::Rays && ray < caution * (1.0 - 1e-9)) {
+    throw Error("parameter 'radius'",
+                "a ray of " + std::to_string(p.clearance.radius) + " cells ends at " + format(ray) +
+                    than + ": what is between would be called clear",
+                "Set radius to " + format(std::ceil(caution / p.model.resolution - 1e-9)) +
+                    " or more, or lower caution_distance.");
+  }
+}
+
+/// Outside the bounds every point would count as seen through, and what they show as free.
+void requireReprojectionInside(const Parameters& p) {
+  const auto& z = p.filter.zReprojection;
+  if (!z || (*z >= p.bounds.zMin && *z < p.bounds.zMax)) return;
+  throw Error("parameter 'z_reprojection'",
+              format(*z) + " m is not between z_min (" + format(p.bounds.zMin) + ") and z_max (" +
+                  format(p.bounds.zMax) + ")",
+              "Give a depth inside the bounds, or off.");
+}
+
+void requireMatcherSettings(const StereoParameters& stereo) {
+  constexpr int largestOfSgbm = 15;
+  if (stereo.disparities % 16 != 0) {
+    throw Error("parameter 'stereo_disparities'", "not a multiple of 16", "Round it to one.");
+  }
+  if (stereo.blockSize % 2 == 0) {
+    throw Error("parameter 'stereo_block_size'", "not odd", "Add one.");
+  }
+  if (stereo.matcher == StereoMatcherKind::Bm && stereo.blockSize < 5) {
+    throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
+  }
+  if (stereo.matcher == StereoMatcherKind::Sgbm && stereo.blockSize > largestOfSgbm) {
+    throw Error("parameter 'stereo_block_size'", "sgbm takes at most 15", "Set 15 or less.");
+  }
+}
+
 }  // namespace
 
 void validate(const Parameters& p) {
@@ -49,18 +95,9 @@ void validate(const Parameters& p) {
   requireOrder("warning_distance", p.warning.warningDistance, "caution_distance",
                p.warning.cautionDistance);
   requireModelFits(p);
-  if (p.stereo.disparities % 16 != 0) {
-    throw Error("parameter 'stereo_disparities'", "not a multiple of 16", "Round it to one.");
-  }
-  if (p.stereo.blockSize % 2 == 0) {
-    throw Error("parameter 'stereo_block_size'", "not odd", "Add one.");
-  }
-  if (p.stereo.matcher == StereoMatcherKind::Bm && p.stereo.blockSize < 5) {
-    throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
-  }
-  if (p.stereo.matcher == StereoMatcherKind::Sgbm && p.stereo.blockSize > 15) {
-    throw Error("parameter 'stereo_block_size'", "sgbm takes at most 15", "Set 15 or less.");
-  }
+  requireReach(p);
+  requireReprojectionInside(p);
+  requireMatcherSettings(p.stereo);
 }
 
 std::vector<ParameterWarning> warningsFor(const Parameters& p) {

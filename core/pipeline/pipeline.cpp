@@ -1,5 +1,6 @@
 #include "pipeline/pipeline.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "collision/exact_clearance.h"
@@ -29,6 +30,9 @@ class StageClock {
   std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
 };
 
+/// Unknown is not clear, even where somebody asks for no share at all.
+constexpr double noShare = 1e-9;
+
 std::optional<OrientedBox> loadOf(const Frame& frame, const LoadParameters& parameters) {
   if (parameters.source == LoadSource::Manual) return parameters.box();
   return frame.load;
@@ -49,6 +53,7 @@ struct Pipeline::State {
   ExactClearance exact;
   ObservedShare observed;
   Points evidence;  ///< scratch: what the model learns from this frame
+  Points hidden;    ///< scratch: what shows neither that something is there nor that nothing is
   std::optional<cv::Point> toolPixel;
   double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
@@ -132,7 +137,10 @@ void Pipeline::State::updateModel(Result& result) {
   }
   evidence = result.scene.statics;
   evidence.insert(evidence.end(), result.scene.beyond.begin(), result.scene.beyond.end());
-  model.update(evidence, result.parameters.model, result.scene.removed);
+  // Noise is not believed, but neither does it show that nothing is there.
+  hidden = result.scene.removed;
+  hidden.insert(hidden.end(), result.scene.noise.begin(), result.scene.noise.end());
+  model.update(evidence, result.parameters.model, hidden);
   exact.rebuild(model);
   observed.rebuild(model);
 }
@@ -158,8 +166,9 @@ Clearance Pipeline::State::measure(const OrientedBox& load, const Parameters& pa
   // With nothing in range, "clear" promises something about the caution zone.
   const double reach =
       clearance.nearest ? clearance.nearest->distance : parameters.warning.cautionDistance;
-  const double share = observed.query(load, reach);
-  if (share < parameters.validity.minObserved && !(clearance.nearest && reach == 0.0)) {
+  const double share = observed.query(load, reach) * watchedDepth(load, reach, parameters.bounds);
+  if (share < std::max(parameters.validity.minObserved, noShare) &&
+      !(clearance.nearest && reach == 0.0)) {
     clearance = Clearance::unknown(Reason::NothingObserved);
   }
   clearance.observedShare = share;

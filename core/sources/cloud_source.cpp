@@ -42,6 +42,12 @@ class CloudSource : public IndexedSource {
 std::unique_ptr<FrameSource> openCloudSource(const std::filesystem::path& path,
                                              const std::string& address) {
   std::error_code fault;
+  if (path.empty()) {
+    throw Error(address, "no path is given", "Give cloud:FILE or cloud:FOLDER, of PCD or PLY.");
+  }
+  if (!std::filesystem::exists(path, fault)) {
+    throw Error(path.string(), "there is no such file or folder", "Check the path.");
+  }
   if (!std::filesystem::is_directory(path, fault)) {
     readCloudFile(path);  // says now, not at the first frame, that it cannot be read
     return std::make_unique<CloudSource>(address, std::vector{path});

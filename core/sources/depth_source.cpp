@@ -64,6 +64,7 @@ class DepthSource : public IndexedSource {
 
 std::unique_ptr<FrameSource> openDepthSource(const std::filesystem::path& path,
                                              const std::string& address) {
+  if (path.empty()) throw Error(address, "no path is given", "Give depth:FOLDER.");
   return std::make_unique<DepthSource>(address, findDepthRecording(path));
 }
 

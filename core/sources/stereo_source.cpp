@@ -124,8 +124,10 @@ class StereoSource : public IndexedSource {
   ReadResult read(std::size_t index) override {
     const StreamImage left = m_recording.left->read(index);
     const StreamImage right = m_recording.right->read(index);
-    if (left.end || right.end) return end();
-    if (std::string fault = faultOf(left, right); !fault.empty()) return bad(std::move(fault));
+    if (left.end || right.end) return endedEarly(index, left.end ? left : right);
+    if (std::string fault = faultOf(index, left, right); !fault.empty()) {
+      return bad(std::move(fault));
+    }
     auto frame = std::make_shared<Frame>();
     frame->sequence = index;
     frame->stamp = m_recording.stamps[index];
@@ -136,20 +138,36 @@ class StereoSource : public IndexedSource {
   }
 
  private:
-  std::string faultOf(const StreamImage& left, const StreamImage& right) {
+  /// The promised number of frames is an estimate in some containers: a few less are the end,
+  /// more are a recording that was cut off, and that must be said.
+  ReadResult endedEarly(std::size_t index, const StreamImage& image) {
+    constexpr std::size_t tolerated = 2;
+    const std::size_t promised = m_recording.stamps.size();
+    const bool estimated = index + tolerated >= promised;
+    if (estimated || (m_cutOff && index > *m_cutOff)) return end();
+    m_cutOff = index;
+    return bad(image.fault + " of " + std::to_string(promised) +
+               ". The file is truncated or damaged: copy it again.");
+  }
+
+  std::string faultOf(std::size_t index, const StreamImage& left, const StreamImage& right) {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
     const cv::Size size = left.image.size();
+    const std::string pair = info().address + ", pair " + std::to_string(index + 1) + ": ";
     if (size != right.image.size()) {
-      return "left is " + sizeText(size) + " and right is " + sizeText(right.image.size());
+      return pair + "left is " + sizeText(size) + " and right is " + sizeText(right.image.size()) +
+             ". Both must have the same size.";
     }
     if (!m_size) m_size = size;
     if (size == *m_size) return "";
-    return "the pictures changed from " + sizeText(*m_size) + " to " + sizeText(size);
+    return pair + "the pictures changed from " + sizeText(*m_size) + " to " + sizeText(size) +
+           ". All pictures of a recording must have the same size.";
   }
 
   StereoRecording m_recording;
-  std::optional<cv::Size> m_size;  ///< absent until the first pair that could be read
+  std::optional<cv::Size> m_size;       ///< absent until the first pair that could be read
+  std::optional<std::size_t> m_cutOff;  ///< where the recording was found to be cut off
 };
 
 }  // namespace

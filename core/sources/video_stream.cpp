@@ -15,6 +15,12 @@ constexpr double mostFrames = 1e9;
 }  // namespace
 
 VideoStream::VideoStream(const std::filesystem::path& file) : m_file(file) {
+  // FFmpeg waits for ever at the end of a pipe that nobody writes to.
+  std::error_code fault;
+  if (!std::filesystem::is_regular_file(file, fault)) {
+    throw Error(file.string(), "this is not an ordinary file",
+                "Give a video file, or camera:ADDRESS for a stream.");
+  }
   open();
   const std::string remedy = "Give a video that FFmpeg can decode, for instance H.264 in MP4.";
   if (!m_video.isOpened()) throw Error(file.string(), "this is not a video", remedy);
@@ -90,7 +96,7 @@ StreamImage VideoStream::read(std::size_t index) {
   } catch (const cv::Exception&) {
     // Treated as the end: a decoder that failed gives nothing more.
   }
-  return {{}, m_file.string() + ": the video ends before frame " + std::to_string(index), true};
+  return {{}, m_file.string() + ": the video ends before frame " + std::to_string(index + 1), true};
 }
 
 }  // namespace boomwatch

@@ -27,6 +27,14 @@ void checkCamera(const std::string& where, const std::string& key, const cv::Mat
   if (m(0, 0) <= 0 || m(1, 1) <= 0) {
     throw Error(where, key + " has a focal length that is zero or negative", remedy);
   }
+  // The principal point is near the middle: with this little the picture would be 174 degrees wide.
+  if (m(0, 0) < 0.05 * m(0, 2) || m(1, 1) < 0.05 * m(1, 2)) {
+    throw Error(where,
+                key + " has a focal length of " + std::to_string(m(0, 0)) +
+                    " pixels, too "
+                    "short for its pictures",
+                "The focal length must be in pixels, not in millimetres.");
+  }
   // OpenCV's model and Eq. 5 know no skew.
   const bool pinhole = m(0, 1) == 0 && m(1, 0) == 0 && m(2, 0) == 0 && m(2, 1) == 0 && m(2, 2) == 1;
   if (!pinhole) throw Error(where, key + " is not of the form [f 0 c; 0 f c; 0 0 1]", remedy);

@@ -36,9 +36,13 @@ void checkParameters(const StereoParameters& p) {
           fix);
   require(p.preFilterCap >= 1 && p.preFilterCap <= 63, "stereo_prefilter_cap",
           std::to_string(p.preFilterCap) + " is not between 1 and 63", fix);
-  require(p.uniqueness >= 0 && p.texture >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0,
-          "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range",
-          "one of them is negative", fix);
+  // OpenCV's StereoSGBM divides by 100 - uniqueness.
+  require(p.uniqueness < 100, "stereo_uniqueness", "it is not below 100", fix);
+  require(p.uniqueness >= 0 && p.texture >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0 &&
+              p.average >= 1 && p.smooth >= 0,
+          "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range, "
+          "stereo_average or stereo_smooth",
+          "one of them is too small", fix);
 }
 
 void checkImages(const cv::Mat& left, const cv::Mat& right) {
@@ -228,6 +232,7 @@ StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, con
       "Give the calibration of this recording.");
   if (!m_maps || !m_maps->fits(rig, left.size())) {
     m_maps = std::make_unique<Maps>(rig, left.size());
+    m_smoother.reset();
   }
   StereoResult result;
   cv::Mat rectifiedRight = grey(right);
@@ -239,7 +244,9 @@ StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, con
     cv::remap(left, result.left, m_maps->leftXy, m_maps->leftWeights, cv::INTER_LINEAR);
     cv::remap(rightIn, rectifiedRight, m_maps->rightXy, m_maps->rightWeights, cv::INTER_LINEAR);
   }
-  result.disparity = matchDisparity(result.left, rectifiedRight, parameters);
+  const cv::Mat matched = matchDisparity(result.left, rectifiedRight, parameters);
+  result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
+                                                  parameters.smooth);
   result.cloud = reproject(result.disparity, m_maps->projection);
   result.focalLength = m_maps->projection.fx;
   result.baseline = m_maps->projection.baseline;

@@ -5,6 +5,7 @@
 
 #include "frame/cloud.h"
 #include "pipeline/parameters.h"
+#include "stereo/disparity_smoother.h"
 #include "stereo/stereo_rig.h"
 
 namespace boomwatch {
@@ -18,9 +19,11 @@ struct StereoResult {
   double baseline = 0.0;     ///< metres
 };
 
-/// Rectify, match, check left against right, drop speckles, reproject (method.md section 2, Eq. 5).
+/// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject
+/// (method.md section 2, Eq. 5).
 ///
-/// Keeps the rectification maps between frames; they are made anew when the rig changes.
+/// Keeps the rectification maps between frames; they are made anew when the rig changes. With
+/// `average` above 1 it also keeps the mean disparities of the last frames.
 /// Used by one thread.
 class StereoStage {
  public:
@@ -35,6 +38,7 @@ class StereoStage {
  private:
   struct Maps;
   std::unique_ptr<Maps> m_maps;
+  DisparitySmoother m_smoother;
 };
 
 /// Disparities of a rectified pair, CV_32FC1, NaN where nothing matched.

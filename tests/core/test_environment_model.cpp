@@ -36,6 +36,7 @@ class PlainModel {
     }
     for (std::size_t k = 0; k < probability.size(); ++k) {
       probability[k] = parameters.pPost * probability[k] + (measured[k] ? parameters.pPrior : 0.0);
+      if (probability[k] < double{boomwatch::EnvironmentModel::observedFloor}) probability[k] = 0.0;
       if (probability[k] <= parameters.probtresh) {
         level[k] = 0;
       } else if (measured[k]) {
@@ -158,11 +159,23 @@ class TestEnvironmentModel : public QObject {
     QCOMPARE(model.state(1, 1), CellState::Occupied);
     QCOMPARE(model.state(5, 5), CellState::ObservedFree);
     QCOMPARE(model.state(9, 9), CellState::NeverObserved);
-    for (int frame = 0; frame < 2000; ++frame) model.update({}, parameters);
+  }
+
+  void whatIsNoLongerMeasuredIsForgottenNotFree() {
+    EnvironmentModel model(GridGeometry(smallBounds, 0.05));
+    const ModelParameters parameters;
+    Eigen::Vector3f through = inCell(model, 5, 5, 255);
+    through.z() = 50.0F;
+    const Points both{inCell(model, 1, 1, 10), through};
+    for (int frame = 0; frame < 50; ++frame) model.update(both, parameters);
+    // Eq. (8) from its fixed point: 2/3 x 0.7^n < 0.001 from n = 19 on.
+    for (int frame = 0; frame < 18; ++frame) model.update(Points{through}, parameters);
     QCOMPARE(model.state(1, 1), CellState::ObservedFree);
-    QCOMPARE(model.state(5, 5), CellState::ObservedFree);
-    QCOMPARE(model.state(9, 9), CellState::NeverObserved);
-    QCOMPARE(model.probabilities()[model.geometry().index(1, 1)], EnvironmentModel::observedFloor);
+    model.update(Points{through}, parameters);
+    QCOMPARE(model.state(1, 1), CellState::NeverObserved);
+    QCOMPARE(model.state(5, 5), CellState::ObservedFree);  // as long as it is seen through
+    for (int frame = 0; frame < 30; ++frame) model.update({}, parameters);
+    QCOMPARE(model.state(5, 5), CellState::NeverObserved);
   }
 
   void lookingThroughACellDoesNotOccupyIt() {
@@ -171,7 +184,7 @@ class TestEnvironmentModel : public QObject {
     points.front().z() = std::nextafter(3.0F, 4.0F);
     for (int frame = 0; frame < 50; ++frame) model.update(points, ModelParameters{});
     QCOMPARE(model.state(5, 5), CellState::ObservedFree);
-    QVERIFY(model.probabilities()[model.geometry().index(5, 5)] < 1e-6F);
+    QVERIFY(model.probabilities()[model.geometry().index(5, 5)] <= EnvironmentModel::seenThrough);
   }
 
   void whatIsNotAPointInTheBoundsIsIgnored() {

@@ -38,15 +38,25 @@ double toFootprint(const Vector2d& p, const OrientedBox& box) {
   return best;
 }
 
+// Observed, and not hidden behind a surface nearer to the camera than the box.
+bool wasSeen(const EnvironmentModel& model, int i, int j, double boxZ) {
+  const GridGeometry& g = model.geometry();
+  if (model.state(i, j) != CellState::Occupied) {
+    return model.state(i, j) == CellState::ObservedFree;
+  }
+  return model.levels()[g.index(i, j)] >= g.levelOf(boxZ);
+}
+
 // Cell by cell, over the grid as if it went on for `margin` cells beyond its edges.
 double cellByCell(const EnvironmentModel& model, const OrientedBox& box, double reach, int margin) {
   const GridGeometry& g = model.geometry();
-  double all = 0, seen = 0;
+  double all = 0, seen = 0, nearestZ = g.bounds().zMax;
+  for (const auto& corner : box.corners()) nearestZ = std::min(nearestZ, corner.z());
   for (int j = -margin; j < g.rows() + margin; ++j) {
     for (int i = -margin; i < g.columns() + margin; ++i) {
       if (toFootprint({g.xOf(i), g.yOf(j)}, box) > reach) continue;
       ++all;
-      if (g.contains(i, j)) seen += model.state(i, j) != CellState::NeverObserved;
+      if (g.contains(i, j)) seen += wasSeen(model, i, j, nearestZ);
     }
   }
   return seen / all;
@@ -74,6 +84,22 @@ class TestObservedShare : public QObject {
   Q_OBJECT
 
  private slots:
+  void whatLiesBehindASurfaceIsNotObserved() {
+    EnvironmentModel model(grid);
+    for (int j = 0; j < grid.rows(); ++j) {
+      for (int i = 0; i < grid.columns(); ++i) {
+        // On the left a wall at 2 m, on the right one at 4 m.
+        model.set(i, j, 0.6F, grid.levelOf(i < grid.columns() / 2 ? 2.0 : 4.0));
+      }
+    }
+    OrientedBox box{{0, 0, 1}, {0.4, 0.4, 0.4}, Eigen::Matrix3d::Identity()};
+    QCOMPARE(shareOf(model, box, 0.5), 1.0);
+    box.centre.z() = 3;
+    QCOMPARE(shareOf(model, box, 0.5), 0.5);
+    box.centre.z() = 4.5;
+    QCOMPARE(shareOf(model, box, 0.5), 0.0);
+  }
+
   void equalsCountingCellByCell() {
     scenes::Random random(1);
     const GridGeometry coarse({-2, 2, -1.5, 1.5, 0, 5}, 0.1);
@@ -156,6 +182,24 @@ class TestObservedShare : public QObject {
     QVERIFY(std::abs(share.query(box, 0.3) - 0.5) < 1e-12);
     share.rebuild(observed(GridGeometry({-1, 1, -1, 1, 0, 5}, 0.1), [](int, int) { return true; }));
     QCOMPARE(share.query(box, 0.3), 1.0);
+  }
+
+  void depthIsWatchedBetweenTheBoundsOnly() {
+    const Bounds bounds{-2, 2, -2, 2, 1, 5};
+    const auto at = [](double z) { return OrientedBox{{0, 0, z}, {1, 0.4, 0.6}}; };
+    QCOMPARE(watchedDepth(at(3), 1, bounds), 1.0);
+    QCOMPARE(watchedDepth(at(4.2), 1, bounds), 0.5);        // 0.5 m of the metre behind it
+    QCOMPARE(watchedDepth(at(4.7), 1, bounds), 0.0);        // it touches the far bound
+    QCOMPARE(watchedDepth(at(4.7), 0, bounds), 1.0);        // and nothing more is asked for
+    QCOMPARE(watchedDepth(at(4.8), 0, bounds), 0.0);        // it stands out of it
+    QCOMPARE(watchedDepth(at(1.8), 1, bounds), 0.5);        // 0.5 m of the metre before it
+    QCOMPARE(watchedDepth(at(1.8), 10, bounds), 2.9 / 10);  // the camera is 1.5 m before it
+    const OrientedBox standing{
+        {0, 0, 4.2}, {1, 0.4, 0.6}, rotationFromYawPitchRoll(M_PI / 2, 0, 0)};
+    QVERIFY(std::abs(watchedDepth(standing, 1, bounds) - 0.3) < 1e-9);
+    const Bounds fromCamera{-2, 2, -2, 2, 0, 5};
+    QCOMPARE(watchedDepth(at(0.4), 1, fromCamera), 1.0);  // nothing is behind the camera
+    QCOMPARE(watchedDepth(at(3), std::nan(""), bounds), 0.0);
   }
 
   void claimsNothingForWhatIsNoBoxOrNoReach() {

@@ -46,6 +46,11 @@ class TestPipeline : public QObject {
   void nothingObservedAroundTheLoadIsUnknown();
   void pointsInsideTheLoadAreRemovedAndShown();
   void anObstacleThatTheLoadEntersIsACollision();
+  void aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel_data();
+  void aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel();
+  void aFewLostFramesCostNothing();
+  void nothingAroundTheLoadIsUnknownEvenWhereNoShareIsAskedFor();
+  void aSearchThatEndsBeforeCautionBeginsIsRefused();
   void aFrameWithoutAnythingIsUnreadable();
   void rays_data();
   void rays();
@@ -193,6 +198,7 @@ void TestPipeline::nothingObservedAroundTheLoadIsUnknown() {
   Parameters parameters = smallParameters();
   hangLoad(parameters, 1.5, 0.2);
   parameters.load.x = 1.5;
+  parameters.warning = {0.5, 0.25};
   parameters.clearance.range = 0.5;
   Pipeline pipeline;
   Result result;
@@ -234,6 +240,64 @@ void TestPipeline::anObstacleThatTheLoadEntersIsACollision() {
   }
 }
 
+void TestPipeline::aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel_data() {
+  QTest::addColumn<int>("first");
+  QTest::newRow("wound back") << 2;
+  QTest::newRow("begun anew") << 0;
+  QTest::newRow("wound on") << 300;
+}
+
+void TestPipeline::aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel() {
+  QFETCH(int, first);
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  runWall(pipeline, parameters, 8, 3.5F);
+  const auto begin = static_cast<std::uint64_t>(first);
+  const Result there = runWall(pipeline, parameters, 1, 3.0F, begin);
+  QCOMPARE(text(there.clearance.reason), text(Reason::NoModel));
+  const Result later = runWall(pipeline, parameters, 3, 3.0F, begin + 1);
+  QVERIFY(std::abs(later.clearance.nearest->distance - 1.3) <=
+          later.clearance.nearest->quantisation);
+}
+
+void TestPipeline::aFewLostFramesCostNothing() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5);
+  Pipeline pipeline;
+  runWall(pipeline, parameters, 5, 3.0F);
+  QVERIFY(runWall(pipeline, parameters, 1, 3.0F, 15).clearance.nearest);
+}
+
+void TestPipeline::nothingAroundTheLoadIsUnknownEvenWhereNoShareIsAskedFor() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5, 0.2);
+  parameters.validity.minObserved = 0.0;
+  parameters.validity.minFill = 0.0;
+  Pipeline pipeline;
+  Result result;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    auto frame = std::make_shared<Frame>(*wallFrame(i, 3.0F));
+    auto cloud = std::make_shared<Cloud>(*frame->cloud);
+    for (auto& point : cloud->points) point = unmeasuredPoint();
+    frame->cloud = cloud;
+    result = pipeline.process(frame, parameters);
+  }
+  QCOMPARE(text(result.clearance.reason), text(Reason::NothingObserved));
+  QCOMPARE(text(result.level), text(WarningLevel::NoDistance));
+}
+
+void TestPipeline::aSearchThatEndsBeforeCautionBeginsIsRefused() {
+  Parameters parameters = smallParameters();
+  parameters.clearance.range = 1.9;
+  Pipeline pipeline;
+  QVERIFY_EXCEPTION_THROWN(pipeline.process(wallFrame(0, 3.0F), parameters), Error);
+  parameters.clearance.range = 2.0;
+  parameters.clearance.method = ClearanceMethod::Rays;
+  parameters.clearance.radius = 1;
+  QVERIFY_EXCEPTION_THROWN(pipeline.process(wallFrame(0, 3.0F), parameters), Error);
+}
+
 void TestPipeline::aFrameWithoutAnythingIsUnreadable() {
   Pipeline pipeline;
   const Result result = pipeline.process(std::make_shared<Frame>(), smallParameters());
@@ -253,7 +317,8 @@ void TestPipeline::rays() {
   hangLoad(parameters, 1.5);
   parameters.load.x = x;
   parameters.clearance.method = ClearanceMethod::Rays;
-  parameters.clearance.radius = 10;
+  parameters.clearance.radius =
+      static_cast<int>(std::ceil(parameters.warning.cautionDistance / parameters.model.resolution));
   Pipeline pipeline;
   const Result result = runWall(pipeline, parameters, 5, 3.0F);
   QVERIFY(!result.clearance.rays.empty());

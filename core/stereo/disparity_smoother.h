@@ -1,0 +1,39 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace boomwatch {
+
+/// Takes the noise out of the disparities of a still camera. A matcher's noise of half a pixel is
+/// decimetres at a few metres, and because a clearance is a minimum over many cells it sees only
+/// the noise that points towards the camera.
+///
+/// In time: the running mean of a pixel's disparities. A disparity that lies `jump` pixels from it
+/// may be noise, and counts once `settled` frames in a row agree. It counts at once when it is
+/// nearer by more than noise ever is, or when nothing was matched there for as long as is averaged:
+/// what comes near must not wait.
+/// In space: the mean of the neighbours whose disparity is within `alike` pixels of the centre's,
+/// so that edges stay; done twice.
+/// Used by one thread.
+class DisparitySmoother {
+ public:
+  static constexpr float jump = 3.0F;
+  static constexpr float clearlyNearer = 8.0F;
+  static constexpr int settled = 5;
+  static constexpr float alike = 1.0F;
+
+  /// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `frames`: the newest weighs
+  /// 1/frames (earlier, while there are fewer: as much as each of those before); 1: nothing is
+  /// done. Forgets when the size changes.
+  cv::Mat overTime(const cv::Mat& disparity, int frames);
+  void reset();
+
+  /// `window`: pixels, full width; below 2: nothing is done. Pure.
+  static cv::Mat overSpace(const cv::Mat& disparity, int window);
+
+ private:
+  cv::Mat m_mean;    ///< CV_32FC1
+  cv::Mat m_frames;  ///< CV_32FC1: frames m_mean stands for; below 0, frames without a match
+};
+
+}  // namespace boomwatch

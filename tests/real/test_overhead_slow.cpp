@@ -1,0 +1,243 @@
+#include <Eigen/Dense>
+#include <QtTest>
+#include <algorithm>
+#include <map>
+#include <opencv2/imgproc.hpp>
+
+#include "floor_plane.h"
+#include "real_data.h"
+#include "sequence.h"
+
+using namespace boomwatch;
+using namespace boomwatch::test;
+
+namespace {
+
+// The recording: the exposure settles until frame 50 or so; somebody is in view until 110 and again
+// from 200 to 290; nobody is near in between and after.
+const std::vector<Stretch> used{{48, 200}, {215, 315}};
+constexpr Stretch nobodyNear{130, 200}, somebodyNear{230, 260}, nobodyAgain{295, 315};
+constexpr std::size_t settled = 60;
+// The rectified camera, to 0.1 px (stereoRectify of the set's calibration).
+constexpr double focalLength = 928.6, centreX = 651.2, centreY = 411.2;
+constexpr double floorDepth = 2.76;
+
+bool within(const Stretch& stretch, std::size_t frame) {
+  return frame >= stretch.first && frame < stretch.last;
+}
+
+/// What an engineer would set for this camera: blocks as large as sgbm takes and smoothing against
+/// sunlit tiles with soft shadows, which carry little structure; the bounds hold the free floor,
+/// between the table and the step, for both are nearer to the load than the floor is.
+Parameters overheadParameters() {
+  Parameters parameters;
+  parameters.bounds = {-1.2, 1.2, -0.35, 0.5, 0.9, 3.6};
+  parameters.stereo.disparities = 96;
+  parameters.stereo.blockSize = 15;
+  parameters.stereo.uniqueness = 20;
+  parameters.stereo.speckleWindow = 400;
+  parameters.stereo.texture = 0.4;
+  parameters.stereo.average = 20;
+  parameters.stereo.smooth = 31;
+  parameters.filter.clusterMinimum = 100;
+  parameters.load.source = LoadSource::Manual;
+  parameters.load.x = parameters.load.y = 0.0;
+  parameters.load.z = 1.5;
+  parameters.load.sizeX = parameters.load.sizeY = parameters.load.sizeZ = 0.4;
+  return parameters;
+}
+
+/// A model of the floor alone, over the whole of the sunlit stripe.
+Parameters floorParameters() {
+  Parameters parameters = overheadParameters();
+  parameters.bounds = {-1.2, 1.2, -0.35, 0.85, 2.2, 3.4};
+  parameters.load.source = LoadSource::Scene;
+  return parameters;
+}
+
+/// What the test keeps of a frame.
+struct Look {
+  bool measured = false;
+  double distance = 0.0;    ///< as the chain reports it
+  double toPlane = 0.0;     ///< load to the plane fitted to this frame's cloud
+  std::size_t floor = 0;    ///< cells at 2.6 to 2.9 m
+  std::size_t nearer = 0;   ///< cells nearer than any floor
+  std::size_t farther = 0;  ///< occupied cells that are neither
+};
+
+Look lookAt(const Result& result, const EnvironmentModel& model) {
+  Look look;
+  for (const std::uint8_t level : model.levels()) {
+    if (level == 0) continue;
+    const double z = model.geometry().zOf(level);
+    look.floor += z >= 2.6 && z <= 2.9;
+    look.nearer += z < 2.3;
+    look.farther += (z >= 2.3 && z < 2.6) || z > 2.9;
+  }
+  look.measured = result.clearance.nearest.has_value();
+  if (!look.measured) return look;
+  look.distance = result.clearance.nearest->distance;
+  look.toPlane = distanceToPlane(*result.load, fitFloor(*result.cloud, {-0.8, 0.8, -0.35, 0.5}));
+  return look;
+}
+
+/// A model of the floor and, beside it, the pixels that are over-exposed in every frame it saw,
+/// with all that a match of them looks at.
+class StripeWatch {
+ public:
+  void look(const Result& result) {
+    auto sensed = std::make_shared<Frame>();
+    sensed->sequence = result.frame->sequence;
+    sensed->left = result.image;
+    sensed->cloud = result.cloud;
+    m_pipeline.process(sensed, floorParameters());
+    cv::Mat saturated = result.image >= 250;
+    if (saturated.channels() == 3) cv::extractChannel(saturated, saturated, 0);
+    const int side = 2 * result.parameters.stereo.blockSize + 1;
+    cv::erode(saturated, saturated, cv::Mat::ones(side, side, CV_8UC1));
+    if (m_always.empty()) m_always = saturated.clone();
+    m_always &= saturated;
+  }
+  /// Cells of the floor that nothing but such pixels look at: how many there are in each state.
+  std::map<CellState, std::size_t> cells() const {
+    const EnvironmentModel& model = m_pipeline.model();
+    const GridGeometry& grid = model.geometry();
+    const double toPixels = focalLength / floorDepth;
+    const int side = cvCeil(grid.resolution() * toPixels);
+    std::map<CellState, std::size_t> count;
+    for (int row = 0; row < grid.rows(); ++row) {
+      for (int column = 0; column < grid.columns(); ++column) {
+        const cv::Rect cell(cvRound(grid.xOf(column) * toPixels + centreX) - side / 2,
+                            cvRound(grid.yOf(row) * toPixels + centreY) - side / 2, side, side);
+        if ((cell & cv::Rect({}, m_always.size())) != cell) continue;
+        if (cv::countNonZero(m_always(cell)) == cell.area()) ++count[model.state(column, row)];
+      }
+    }
+    return count;
+  }
+
+ private:
+  Pipeline m_pipeline;
+  cv::Mat m_always;
+};
+
+}  // namespace
+
+/// The nearest thing to the real job: a still stereo camera that looks down, outdoors.
+class TestOverheadSlow : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void floorIsInTheModel();
+  void whoWalksThroughIsNotInTheModelAfterwards();
+  void boxReportsThePlaneBelowItWhileNobodyIsNear();
+  void distanceIsShorterWhileSomebodyIsNear();
+  void overexposedStripeIsNeverObserved();
+
+ private:
+  std::vector<double> over(const Stretch& stretch, double (*value)(const Look&)) const;
+
+  std::map<std::size_t, Look> m_looks;
+  /// Cells by state: of frames `settled` to the end, and of those while nobody is near.
+  std::vector<std::map<CellState, std::size_t>> m_stripes;
+};
+
+void TestOverheadSlow::initTestCase() {
+  const QString recording = sharedData("stereo_static_topdown_oakd");
+  REQUIRE_DATA(recording);
+  StripeWatch always, quiet;
+  runSequence(
+      "stereo:" + recording, overheadParameters(),
+      [&](const Result& result, const Pipeline& pipeline) {
+        const std::size_t frame = result.frame->sequence;
+        m_looks[frame] = lookAt(result, pipeline.model());
+        if (frame < settled) return;
+        always.look(result);
+        if (within(nobodyNear, frame)) quiet.look(result);
+      },
+      used);
+  QCOMPARE(m_looks.size(), std::size_t{252});
+  m_stripes = {always.cells(), quiet.cells()};
+}
+
+/// One value of each measured frame of a stretch, in ascending order.
+std::vector<double> TestOverheadSlow::over(const Stretch& stretch,
+                                           double (*value)(const Look&)) const {
+  std::vector<double> values;
+  for (const auto& [frame, look] : m_looks) {
+    if (within(stretch, frame) && look.measured) values.push_back(value(look));
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+void TestOverheadSlow::floorIsInTheModel() {
+  double least = 1.0;
+  std::size_t fewest = 100000;
+  for (const auto& [frame, look] : m_looks) {
+    if (frame < settled) continue;
+    fewest = std::min(fewest, look.floor);
+    const double all = static_cast<double>(look.floor + look.farther);
+    least = std::min(least, static_cast<double>(look.floor) / all);
+  }
+  qInfo("from frame %zu on, at least %zu cells at 2.6 to 2.9 m, %.1f %% of all below 2.3 m",
+        settled, fewest, 100 * least);
+  QVERIFY(fewest >= 500);
+  QVERIFY(least >= 0.95);
+}
+
+void TestOverheadSlow::whoWalksThroughIsNotInTheModelAfterwards() {
+  const auto nearer = [](const Look& look) { return static_cast<double>(look.nearer); };
+  const std::vector<double> during = over(somebodyNear, nearer);
+  qInfo("cells nearer than the floor: up to %.0f while somebody is near, %.0f and %.0f afterwards",
+        during.back(), over(nobodyNear, nearer).back(), over(nobodyAgain, nearer).back());
+  QVERIFY(during.back() >= 20);
+  QCOMPARE(over(nobodyNear, nearer).back(), 0.0);
+  QCOMPARE(over(nobodyAgain, nearer).back(), 0.0);
+}
+
+void TestOverheadSlow::boxReportsThePlaneBelowItWhileNobodyIsNear() {
+  const auto error = [](const Look& look) { return look.distance - look.toPlane; };
+  for (const Stretch& quiet : {nobodyNear, nobodyAgain}) {
+    const std::vector<double> errors = over(quiet, error);
+    QCOMPARE(errors.size(), quiet.last - quiet.first);
+    const auto good =
+        std::count_if(errors.begin(), errors.end(), [](double e) { return std::abs(e) <= 0.05; });
+    const double share = static_cast<double>(good) / static_cast<double>(errors.size());
+    qInfo(
+        "frames %zu to %zu: reported less plane: median %.3f m, from %.3f to %.3f; %.0f %% within "
+        "5 cm",
+        quiet.first, quiet.last - 1, errors[errors.size() / 2], errors.front(), errors.back(),
+        100 * share);
+    QVERIFY(std::abs(errors[errors.size() / 2]) <= 0.05);
+    QVERIFY(share >= 0.75);
+    // What noise is left must err to the safe side.
+    QVERIFY(errors.back() <= 0.05);
+  }
+}
+
+void TestOverheadSlow::distanceIsShorterWhileSomebodyIsNear() {
+  const auto distance = [](const Look& look) { return look.distance; };
+  const std::vector<double> quiet = over(nobodyNear, distance), busy = over(somebodyNear, distance);
+  qInfo("median distance %.2f m while somebody is near, %.2f m while nobody is",
+        busy[busy.size() / 2], quiet[quiet.size() / 2]);
+  QVERIFY(busy[busy.size() / 2] < 0.5 * quiet[quiet.size() / 2]);
+}
+
+void TestOverheadSlow::overexposedStripeIsNeverObserved() {
+  // Whoever walks through shades the stripe, and what is shaded is seen: little of it stays
+  // over-exposed from end to end.
+  std::size_t all = 0;
+  for (auto& cells : m_stripes) {
+    const std::size_t never = cells[CellState::NeverObserved];
+    const std::size_t seen = cells[CellState::ObservedFree] + cells[CellState::Occupied];
+    qInfo("of %zu cells that are always over-exposed, %zu were never observed", never + seen,
+          never);
+    QVERIFY(static_cast<double>(never) >= 0.98 * static_cast<double>(never + seen));
+    all += never + seen;
+  }
+  QVERIFY(all >= 50);
+}
+
+QTEST_GUILESS_MAIN(TestOverheadSlow)
+#include "test_overhead_slow.moc"
