@@ -92,7 +92,6 @@ class StereoSource : public FrameSource {
   bool seek(std::size_t index) override {
     if (index >= m_stamps.size()) return false;
     m_next = index;
-    m_cutOffSaid = false;
     return true;
   }
 
@@ -100,7 +99,7 @@ class StereoSource : public FrameSource {
     if (m_next >= m_stamps.size()) return {};
     const StreamImage left = m_left->read(m_next);
     const StreamImage right = m_right->read(m_next);
-    if (left.end || right.end) return endedEarly(left.end ? left : right);
+    if (left.end || right.end) return {};
     const std::size_t index = m_next++;
     const std::string fault = faultOf(index, left, right);
     if (!fault.empty()) return {ReadResult::Status::Bad, nullptr, fault, 0};
@@ -136,19 +135,6 @@ class StereoSource : public FrameSource {
     }
   }
 
-  /// The promised number of frames is an estimate in some containers: a few less are the end,
-  /// more are a recording that was cut off, and that must be said.
-  ReadResult endedEarly(const StreamImage& image) {
-    constexpr std::size_t tolerated = 2;
-    const bool estimated = m_next + tolerated >= m_stamps.size();
-    if (estimated || m_cutOffSaid) return {};
-    m_cutOffSaid = true;
-    const std::string promised = std::to_string(m_stamps.size());
-    return {ReadResult::Status::Bad, nullptr,
-            image.fault + " of " + promised + ". The file is truncated or damaged: copy it again.",
-            0};
-  }
-
   std::string faultOf(std::size_t index, const StreamImage& left, const StreamImage& right) {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
@@ -171,7 +157,6 @@ class StereoSource : public FrameSource {
   SourceInfo m_info;
   std::optional<cv::Size> m_size;  ///< absent until the first pair that could be read
   std::size_t m_next = 0;
-  bool m_cutOffSaid = false;  ///< since the last seek
 };
 
 }  // namespace
