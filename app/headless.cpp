@@ -62,6 +62,7 @@ class HeadlessRun {
       ++frames;
     }
     if (!m_last) fault("the source gave no frame");
+    if (!m_line.frames) sayIfCutShort(frames);
     keepModel();
     return {m_faulty ? 1 : 0, m_last};
   }
@@ -104,6 +105,15 @@ class HeadlessRun {
     if (!result.message.empty() && result.frame) fault(result.message);
     m_writer.write(toJsonLine(result));
     m_last = std::make_shared<Result>(std::move(result));
+  }
+
+  /// No fault: some containers only estimate how many frames they hold.
+  void sayIfCutShort(std::size_t frames) const {
+    const SourceInfo info = m_source->info();
+    if (info.live || !info.frameCount || frames >= *info.frameCount) return;
+    complain(info.address + ": it ended after " + std::to_string(frames) +
+             " frames, though it promised " + std::to_string(*info.frameCount) +
+             ". If the end is missing, copy the file again.");
   }
 
   void fault(const std::string& message) {

@@ -124,7 +124,7 @@ class StereoSource : public IndexedSource {
   ReadResult read(std::size_t index) override {
     const StreamImage left = m_recording.left->read(index);
     const StreamImage right = m_recording.right->read(index);
-    if (left.end || right.end) return endedEarly(index, left.end ? left : right);
+    if (left.end || right.end) return end();
     if (std::string fault = faultOf(index, left, right); !fault.empty()) {
       return bad(std::move(fault));
     }
@@ -138,18 +138,6 @@ class StereoSource : public IndexedSource {
   }
 
  private:
-  /// The promised number of frames is an estimate in some containers: a few less are the end,
-  /// more are a recording that was cut off, and that must be said.
-  ReadResult endedEarly(std::size_t index, const StreamImage& image) {
-    constexpr std::size_t tolerated = 2;
-    const std::size_t promised = m_recording.stamps.size();
-    const bool estimated = index + tolerated >= promised;
-    if (estimated || (m_cutOff && index > *m_cutOff)) return end();
-    m_cutOff = index;
-    return bad(image.fault + " of " + std::to_string(promised) +
-               ". The file is truncated or damaged: copy it again.");
-  }
-
   std::string faultOf(std::size_t index, const StreamImage& left, const StreamImage& right) {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
@@ -167,7 +155,6 @@ class StereoSource : public IndexedSource {
 
   StereoRecording m_recording;
   std::optional<cv::Size> m_size;       ///< absent until the first pair that could be read
-  std::optional<std::size_t> m_cutOff;  ///< where the recording was found to be cut off
 };
 
 }  // namespace

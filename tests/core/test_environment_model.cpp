@@ -15,7 +15,8 @@ namespace {
 
 const Bounds smallBounds{-1.0, 1.0, -0.8, 0.7, 0.5, 3.0};
 
-/// Eq. 8 to 11 as they are printed (with the errata), one cell at a time in doubles.
+/// Eq. 8 to 11 as they are printed (with the errata), one cell at a time in doubles; beyond them,
+/// what was not seen for long is forgotten, and a point behind zMax leaves a trace.
 class PlainModel {
  public:
   explicit PlainModel(const GridGeometry& geometry)
@@ -25,18 +26,23 @@ class PlainModel {
     std::vector<int> measured(probability.size(), 0);
     const Bounds& b = m_geometry.bounds();
     for (const auto& p : points) {
-      if (!boomwatch::isMeasured(p) || p.z() < b.zMin || p.z() > b.zMax) continue;
+      if (!boomwatch::isMeasured(p) || p.z() < b.zMin) continue;
       const double i = std::floor((p.x() - b.xMin) / m_geometry.resolution() + 1e-9);
       const double j = std::floor((p.y() - b.yMin) / m_geometry.resolution() + 1e-9);
       if (i < 0 || j < 0 || i >= m_geometry.columns() || j >= m_geometry.rows()) continue;
+      const std::size_t k = m_geometry.index(static_cast<int>(i), static_cast<int>(j));
+      if (p.z() > b.zMax) {
+        probability[k] = std::max(probability[k], double{EnvironmentModel::seenThrough});
+        continue;
+      }
       const double depth = std::round(255.0 * (p.z() - b.zMin) / (b.zMax - b.zMin));
       const int here = std::max(1, static_cast<int>(depth));
-      int& cell = measured[m_geometry.index(static_cast<int>(i), static_cast<int>(j))];
+      int& cell = measured[k];
       cell = cell == 0 ? here : std::min(cell, here);
     }
     for (std::size_t k = 0; k < probability.size(); ++k) {
       probability[k] = parameters.pPost * probability[k] + (measured[k] ? parameters.pPrior : 0.0);
-      if (probability[k] < double{boomwatch::EnvironmentModel::observedFloor}) probability[k] = 0.0;
+      if (probability[k] < double{EnvironmentModel::observedFloor}) probability[k] = 0.0;
       if (probability[k] <= parameters.probtresh) {
         level[k] = 0;
       } else if (measured[k]) {
