@@ -154,7 +154,7 @@ class StereoSource : public IndexedSource {
   }
 
   StereoRecording m_recording;
-  std::optional<cv::Size> m_size;       ///< absent until the first pair that could be read
+  std::optional<cv::Size> m_size;  ///< absent until the first pair that could be read
 };
 
 }  // namespace
