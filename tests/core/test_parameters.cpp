@@ -44,7 +44,10 @@ class TestParameters : public QObject {
       if (std::holds_alternative<int>(value)) other = int(changed.minimum);
       if (std::holds_alternative<std::optional<double>>(value)) other = std::optional<double>(1.5);
       if (const auto* choice = std::get_if<Choice>(&value)) other = Choice{1 - choice->index};
-      if (other == value) other = changed.maximum;
+      if (other == value) {
+        other = std::holds_alternative<int>(value) ? ParameterValue(int(changed.maximum))
+                                                   : ParameterValue(changed.maximum);
+      }
       changed.set(parameters, other);
       for (const ParameterInfo& row : parameterTable()) {
         const bool differs = row.get(parameters) != row.get(Parameters{});
