@@ -573,6 +573,22 @@
         <source>Share of the load&apos;s neighbourhood that must have been observed</source>
         <translation>Anteil der Umgebung der Last, der gesehen worden sein muss</translation>
     </message>
+    <message>
+        <source>Average</source>
+        <translation>Mittelung</translation>
+    </message>
+    <message>
+        <source>Frames that a disparity is the mean of: less noise from a still camera, but small changes are seen 4 frames later; 1 is off</source>
+        <translation>Bilder, über die eine Disparität gemittelt wird: weniger Rauschen bei stehender Kamera, aber kleine Änderungen werden 4 Bilder später gesehen; 1 ist aus</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Width of the neighbourhood that a disparity is the mean of; 0 is off</source>
+        <translation>Breite der Nachbarschaft, über die eine Disparität gemittelt wird; 0 ist aus</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -756,10 +772,6 @@
         <translation>Stereo</translation>
     </message>
     <message>
-        <source>tracking</source>
-        <translation>Verfolgung</translation>
-    </message>
-    <message>
         <source>filter</source>
         <translation>Filter</translation>
     </message>
@@ -770,10 +782,6 @@
     <message>
         <source>clearance</source>
         <translation>Freiraum</translation>
-    </message>
-    <message>
-        <source>validity</source>
-        <translation>Gültigkeit</translation>
     </message>
     <message>
         <source>inside the load</source>
@@ -806,6 +814,10 @@
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>checks</source>
+        <translation>Prüfung</translation>
     </message>
 </context>
 <context>
