@@ -17,19 +17,16 @@ int fail(const std::string& message, ExitCode code) {
 
 void print(const QString& text) { std::fputs(qPrintable(text), stdout); }
 
-/// A headless run needs no display, not even for its screenshot.
-void choosePlatform(bool headless) {
-  const bool display =
-      qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
-  if (headless && !display && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-  }
+bool hasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
 }
 
 int runHeadlessly(const boomwatch::CommandLine& line, int& argc, char** argv) {
   const auto outcome = boomwatch::runHeadless(line);
   if (line.screenshot.isEmpty() || !outcome.last) return outcome.exitCode;
-  choosePlatform(true);
+  // The picture of the window needs no display.
+  if (!hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   if (!boomwatch::saveWindowScreenshot(outcome.last, line.screenshot)) {
     return fail(line.screenshot.toStdString() +
@@ -42,6 +39,10 @@ int runHeadlessly(const boomwatch::CommandLine& line, int& argc, char** argv) {
 
 int run(const boomwatch::CommandLine& line, int& argc, char** argv) {
   if (line.headless) return runHeadlessly(line, argc, argv);
+  if (!hasDisplay()) {
+    throw boomwatch::Error("window", "there is no display",
+                           "Add --headless, or set DISPLAY or WAYLAND_DISPLAY.");
+  }
   QApplication application(argc, argv);
   return boomwatch::runConsole(application, line);
 }
