@@ -3,7 +3,8 @@
 # Debian's VTK is built with Qt 5. It is found here without its Qt module, and PCL is then
 # kept from finding it again with that module, so that Qt 5 never enters a Qt 6 program.
 find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d video videoio)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d
+  tracking video videoio)
 find_package(Threads REQUIRED)
 find_package(yaml-cpp REQUIRED)
 if(BOOMWATCH_GUI)

@@ -15,6 +15,7 @@ enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class LoadSource { Scene, Manual };
+enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
 
 /// Matching and checking of a rectified pair (method.md section 2). Pixels.
 struct StereoParameters {
