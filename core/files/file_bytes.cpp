@@ -1,10 +1,24 @@
 #include "files/file_bytes.h"
 
 #include <fstream>
+#include <random>
 
 #include "frame/error.h"
 
 namespace boomwatch {
+namespace {
+
+/// A name beside `file` that nothing has.
+std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
+  std::random_device random;
+  std::filesystem::path temporary = file;
+  temporary += '.';
+  temporary += std::to_string(random());
+  temporary += ".part";
+  return temporary;
+}
+
+}  // namespace
 
 std::string readFileBytes(const std::filesystem::path& file, std::size_t limit) {
   namespace fs = std::filesystem;
@@ -27,6 +41,22 @@ std::string readFileBytes(const std::filesystem::path& file, std::size_t limit) 
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream) throw Error(where, "cannot be read", "Check its permissions and the disk.");
   return bytes;
+}
+
+bool replaceFile(const std::filesystem::path& file, const std::string& bytes) {
+  namespace fs = std::filesystem;
+  std::error_code fault;
+  const fs::path target = fs::is_symlink(file, fault) ? fs::weakly_canonical(file, fault) : file;
+  const fs::path temporary = temporaryBeside(target);
+  std::ofstream out(temporary, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  fault.clear();
+  if (out) fs::rename(temporary, target, fault);
+  if (out && !fault) return true;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  return false;
 }
 
 }  // namespace boomwatch

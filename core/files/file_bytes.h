@@ -11,4 +11,9 @@ namespace boomwatch {
 /// unreadable.
 std::string readFileBytes(const std::filesystem::path& file, std::size_t limit);
 
+/// Writes `bytes` to `file`, all or nothing: they go to a file beside it that then takes its place.
+/// A link stays a link: what it points to is replaced. False when it could not be done; what was
+/// there is then as it was.
+bool replaceFile(const std::filesystem::path& file, const std::string& bytes);
+
 }  // namespace boomwatch

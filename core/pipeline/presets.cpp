@@ -2,9 +2,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
-#include <random>
 #include <set>
+#include <sstream>
 
 #include "files/file_bytes.h"
 #include "frame/error.h"
@@ -58,16 +57,6 @@ void readEntry(const std::string& file, const YAML::Node& key, const YAML::Node&
   });
 }
 
-/// A name beside `file` that nothing has.
-std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
-  std::random_device random;
-  std::filesystem::path temporary = file;
-  temporary += '.';
-  temporary += std::to_string(random());
-  temporary += ".part";
-  return temporary;
-}
-
 void writeAll(std::ostream& out, const Parameters& parameters) {
   std::string_view group;
   for (const ParameterInfo& info : parameterTable()) {
@@ -93,18 +82,9 @@ Parameters loadPreset(const std::filesystem::path& file, const Parameters& base)
 }
 
 void savePreset(const std::filesystem::path& file, const Parameters& parameters) {
-  namespace fs = std::filesystem;
-  std::error_code fault;
-  // A link stays a link: what it points to is replaced.
-  const fs::path target = fs::is_symlink(file, fault) ? fs::weakly_canonical(file, fault) : file;
-  const fs::path temporary = temporaryBeside(target);
-  std::ofstream out(temporary, std::ios::binary);
+  std::ostringstream out;
   writeAll(out, parameters);
-  out.close();
-  if (out) fs::rename(temporary, target, fault);
-  if (out && !fault) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
+  if (replaceFile(file, out.str())) return;
   throw Error(file.string(), "the preset cannot be written",
               "Check that the folder exists, may be written to and is not full.");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <span>
 #include <string>
@@ -7,13 +8,34 @@
 
 namespace boomwatch {
 
-/// What a tracker that learns knows of the tool: the model of TLD (Kalal et al., "Tracking-
-/// Learning-Detection", 2012). A value: copies are independent. Bounded in size.
-struct ToolModel {
-  cv::Size2d size;                 ///< of the tool in the image it was begun in, pixels
-  std::vector<cv::Mat> positives;  ///< patches of the tool, CV_8UC1, oldest first
-  std::vector<cv::Mat> negatives;  ///< patches of what is not the tool, as positives
+/// How often a fern (see FernEnsemble) saw one of its codes on the tool and elsewhere.
+struct FernLeaf {
+  std::uint16_t positive = 0;
+  std::uint16_t negative = 0;
+  friend bool operator==(const FernLeaf&, const FernLeaf&) = default;
 };
+
+/// What a tracker that learns knows of the tool: the model of TLD (Kalal et al., "Tracking-
+/// Learning-Detection", 2012). A value: copies are independent, since a patch is never written to
+/// once it is here. Bounded in size.
+struct ToolModel {
+  static constexpr std::size_t mostPositives = 200;
+  static constexpr std::size_t mostNegatives = 400;
+  static constexpr std::size_t ferns = 10;
+  static constexpr std::size_t leavesPerFern = 4096;
+
+  cv::Size2d size;                 ///< of the tool in the image it was begun in, pixels
+  std::vector<cv::Mat> positives;  ///< patches of the tool, CV_8UC1 of patchSize(), oldest first
+  std::vector<cv::Mat> negatives;  ///< patches of what is not the tool, as positives
+  /// One fern after the other.
+  std::vector<FernLeaf> leaves = std::vector<FernLeaf>(ferns * leavesPerFern);
+
+  /// The size of every patch: the tool's shape with about 15 x 15 pixels, as in Kalal's paper.
+  cv::Size patchSize() const;
+};
+
+/// Patches, leaves and size equal, bit for bit.
+bool operator==(const ToolModel& one, const ToolModel& other);
 
 /// Writes a versioned file that loadToolModel() reads. Throws Error naming the file when it cannot
 /// be written; an older file of that name is then left as it was.
@@ -24,7 +46,7 @@ void saveToolModel(const ToolModel& model, const std::string& file);
 ToolModel loadToolModel(const std::string& file);
 
 /// One model of a tool from several. Throws Error when `models` is empty or they are not of one
-/// shape of tool.
+/// shape of tool. Where they hold more than one model may, each gives an equal share.
 ToolModel mergeToolModels(std::span<const ToolModel> models);
 
 }  // namespace boomwatch
