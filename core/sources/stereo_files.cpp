@@ -11,6 +11,7 @@
 #include "frame/error.h"
 #include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
+#include "sources/video_stream.h"
 
 namespace boomwatch {
 namespace {
@@ -33,12 +34,6 @@ constexpr std::array folderNames{FolderNames{"left", "right"},
                                  FolderNames{"image_2", "image_3", CameraPair::Second},
                                  FolderNames{"image_00", "image_01"},
                                  FolderNames{"cam0", "cam1"}};
-
-bool isVideo(const fs::path& file) {
-  constexpr std::array<std::string_view, 8> known{".mp4", ".avi",  ".mov", ".m4v",
-                                                  ".mkv", ".webm", ".mpg", ".mpeg"};
-  return std::ranges::find(known, lowerExtension(file)) != known.end();
-}
 
 enum class Side { Neither, Left, Right };
 using Rule = Side (*)(const std::string& stem);
@@ -122,7 +117,7 @@ std::optional<StereoFiles> folderPair(const fs::path& folder) {
 
 StereoFiles filesOfFolder(const fs::path& folder) {
   if (auto files = folderPair(folder)) return *files;
-  const Paths videos = listFiles(folder, isVideo);
+  const Paths videos = listFiles(folder, hasVideoExtension);
   const Paths pictures = imagesIn(folder);
   for (const bool video : {true, false}) {
     for (const Rule rule : {byWord, byLetter, byView}) {
@@ -142,7 +137,7 @@ StereoFiles filesOfFolder(const fs::path& folder) {
 
 StereoFiles filesOfPair(const fs::path& left, const fs::path& right) {
   const bool folders = fs::is_directory(left) && fs::is_directory(right);
-  const bool videos = isVideo(left) && isVideo(right);
+  const bool videos = hasVideoExtension(left) && hasVideoExtension(right);
   const fs::path folder = left.parent_path();
   if (folders) return {folder, picturesBelow(left), picturesBelow(right), false, CameraPair::First};
   if (videos || (hasImageExtension(left) && hasImageExtension(right))) {

@@ -1,8 +1,11 @@
 #include "sources/video_stream.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "files/bounded_image.h"
+#include "files/text_scan.h"
 #include "frame/error.h"
 
 namespace boomwatch {
@@ -13,6 +16,12 @@ constexpr std::size_t shortHop = 24;
 constexpr double mostFrames = 1e9;
 
 }  // namespace
+
+bool hasVideoExtension(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 8> known{".mp4", ".avi",  ".mov", ".m4v",
+                                                  ".mkv", ".webm", ".mpg", ".mpeg"};
+  return std::ranges::find(known, lowerExtension(file)) != known.end();
+}
 
 VideoStream::VideoStream(const std::filesystem::path& file) : m_file(file) {
   // FFmpeg waits for ever at the end of a pipe that nobody writes to.

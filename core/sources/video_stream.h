@@ -7,6 +7,9 @@
 
 namespace boomwatch {
 
+/// Whether the name ends as that of a video does.
+bool hasVideoExtension(const std::filesystem::path& file);
+
 /// A video file as one camera's recording. Picture `index` is the one that decoding from the
 /// start gives at that place, whatever the container's own seeking says.
 class VideoStream : public ImageStream {

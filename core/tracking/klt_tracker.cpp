@@ -1,0 +1,53 @@
+#include "tracking/klt_tracker.h"
+
+#include <algorithm>
+
+#include "frame/error.h"
+#include "tracking/median_flow.h"
+
+namespace boomwatch {
+namespace {
+
+// Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
+constexpr double largestResidual = 10.0;  // pixels
+constexpr double smallestSimilarity = 0.5;
+// Less of the box than this inside the picture is not enough to go by.
+constexpr double smallestShareInside = 0.25;
+
+bool isCredible(const MedianFlow& flow, cv::Size image) {
+  const cv::Rect2d inside = flow.box & cv::Rect2d(0, 0, image.width, image.height);
+  return flow.residual <= largestResidual && flow.similarity >= smallestSimilarity &&
+         std::min(flow.box.width, flow.box.height) >= Tracker::smallestSide / 2 &&
+         inside.area() >= smallestShareInside * flow.box.area();
+}
+
+}  // namespace
+
+void KltTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
+  requireStart(image, box);
+  const cv::Mat grey = greyOf(image);
+  if (!medianFlow(grey, grey, box)) {
+    throw Error("tool box", "there is nothing in it to follow: it has no texture",
+                "Draw it around a part with edges or corners.");
+  }
+  m_before = grey.clone();
+  m_box = box;
+  m_started = true;
+}
+
+Track KltTracker::track(const cv::Mat& image) {
+  if (!m_started) return Track::idle();
+  if (m_before.empty()) return Track::lost();
+  const auto flow = isTrackable(image) && image.size() == m_before.size()
+                        ? medianFlow(m_before, greyOf(image), m_box)
+                        : std::nullopt;
+  if (!flow || !isCredible(*flow, image.size())) {
+    m_before.release();
+    return Track::lost();
+  }
+  m_before = greyOf(image).clone();
+  m_box = flow->box;
+  return {TrackState::Tracked, m_box, std::min(flow->similarity, 1.0), LearningState::None};
+}
+
+}  // namespace boomwatch

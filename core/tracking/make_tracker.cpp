@@ -1,0 +1,23 @@
+#include "frame/error.h"
+#include "tracking/csrt_tracker.h"
+#include "tracking/klt_tracker.h"
+#include "tracking/tracker.h"
+
+namespace boomwatch {
+
+std::unique_ptr<Tracker> makeTracker(TrackerKind kind) {
+  switch (kind) {
+    case TrackerKind::Manual:
+      return nullptr;
+    case TrackerKind::Klt:
+      return std::make_unique<KltTracker>();
+    case TrackerKind::Csrt:
+      return std::make_unique<CsrtTracker>();
+    case TrackerKind::Tld:
+    case TrackerKind::Cmt:
+      break;
+  }
+  throw Error("tracker", "this kind is not built yet", "Set tracker to klt or csrt.");
+}
+
+}  // namespace boomwatch
