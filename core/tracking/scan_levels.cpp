@@ -1,0 +1,42 @@
+#include "tracking/scan_levels.h"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace boomwatch {
+namespace {
+
+constexpr double shortestSide = 8.0;  // of a window, pixels of the picture
+
+}  // namespace
+
+ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int range)
+    : m_patch(patch) {
+  for (int exponent = -range; exponent <= range; ++exponent) {
+    const double scale = std::pow(step, exponent);
+    const cv::Size2d window(tool.width * scale, tool.height * scale);
+    if (std::min(window.width, window.height) < shortestSide) continue;
+    if (window.width > grey.cols || window.height > grey.rows) break;
+    Level level;
+    const cv::Size size(std::max(patch.width, cvRound(grey.cols * patch.width / window.width)),
+                        std::max(patch.height, cvRound(grey.rows * patch.height / window.height)));
+    cv::resize(grey, level.image, size, 0.0, 0.0, cv::INTER_AREA);
+    cv::GaussianBlur(level.image, level.image, cv::Size(3, 3), 0.0);
+    level.pixel = {static_cast<double>(grey.cols) / size.width,
+                   static_cast<double>(grey.rows) / size.height};
+    level.window = {level.pixel.width * patch.width, level.pixel.height * patch.height};
+    m_levels.push_back(std::move(level));
+  }
+}
+
+cv::Rect2d ScanLevels::boxOf(const ScanWindow& window) const {
+  const Level& level = m_levels[static_cast<std::size_t>(window.level)];
+  return {window.corner.x * level.pixel.width, window.corner.y * level.pixel.height,
+          level.window.width, level.window.height};
+}
+
+cv::Mat ScanLevels::patchOf(const ScanWindow& window) const {
+  return m_levels[static_cast<std::size_t>(window.level)].image(cv::Rect(window.corner, m_patch));
+}
+
+}  // namespace boomwatch

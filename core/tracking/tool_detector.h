@@ -1,0 +1,42 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "tracking/scan_levels.h"
+#include "tracking/tool_classifier.h"
+
+namespace boomwatch {
+
+/// A window that the ferns took for the tool, and what the patches say to it.
+struct Candidate {
+  cv::Rect2d box;  ///< pixels of the picture
+  ScanWindow window;
+  float share = 0.0F;  ///< the ferns' answer, 0..1
+  Likeness likeness;
+};
+
+/// Boxes that mean the same thing, as one.
+struct Detection {
+  cv::Rect2d box;
+  Likeness likeness;  ///< of the best of them
+};
+
+/// Share of the tool from which the ferns pass a window on, and learn it if it is not the tool.
+inline constexpr float fernThreshold = 0.5F;
+/// Relative likeness from which a window is the tool.
+inline constexpr float toolThreshold = 0.65F;
+
+/// Intersection over union.
+double overlap(const cv::Rect2d& one, const cv::Rect2d& other);
+
+/// Visits every scanning window that has the variance of the tool: `work(window, first pixel,
+/// level)`.
+/// The cascade of TLD's detector over all windows: variance, ferns, patches. Returns what passed
+/// the ferns, most likely first, at most 100.
+std::vector<Candidate> findCandidates(const ScanLevels& levels, const ToolClassifier& tool);
+
+/// The candidates that are the tool, those that overlap by half as one.
+std::vector<Detection> clusterDetections(const std::vector<Candidate>& candidates);
+
+}  // namespace boomwatch
