@@ -1,6 +1,7 @@
 #include "frame/error.h"
 #include "tracking/csrt_tracker.h"
 #include "tracking/klt_tracker.h"
+#include "tracking/tld_tracker.h"
 #include "tracking/tracker.h"
 
 namespace boomwatch {
@@ -14,10 +15,11 @@ std::unique_ptr<Tracker> makeTracker(TrackerKind kind) {
     case TrackerKind::Csrt:
       return std::make_unique<CsrtTracker>();
     case TrackerKind::Tld:
+      return std::make_unique<TldTracker>();
     case TrackerKind::Cmt:
       break;
   }
-  throw Error("tracker", "this kind is not built yet", "Set tracker to klt or csrt.");
+  throw Error("tracker", "this kind is not built yet", "Set tracker to tld, klt or csrt.");
 }
 
 }  // namespace boomwatch

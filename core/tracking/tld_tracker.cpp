@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "frame/error.h"
+#include "tracking/median_flow.h"
 #include "tracking/tool_patch.h"
 
 namespace boomwatch {
@@ -52,7 +53,7 @@ void TldTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   m_random.seed(1);
   m_tool->learnPositive(patch);
   learnFerns(grey, box, 200, 10.0 * std::numbers::pi / 180.0);
-  m_last = FlowImage(grey);
+  m_last = grey.clone();
   m_box = box;
   m_likeness = {1.0F, 1.0F};
   m_trusted = true;
@@ -71,20 +72,20 @@ void TldTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
 void TldTracker::start(const ToolModel& model) {
   m_tool.emplace(model);
   m_random.seed(1);
-  m_last = FlowImage();
+  m_last.release();
   m_box.reset();
   m_likeness = {};
   m_trusted = false;
   m_model.reset();
 }
 
-std::optional<TldTracker::Followed> TldTracker::follow(const FlowImage& image) const {
-  if (!m_box || m_last.empty() || m_last.size() != image.size()) return std::nullopt;
-  const std::optional<FlowStep> step = medianFlow(m_last, image, *m_box);
-  if (!step || step->backwardError > 10.0) return std::nullopt;
+std::optional<TldTracker::Followed> TldTracker::follow(const cv::Mat& grey) const {
+  if (!m_box || m_last.size() != grey.size()) return std::nullopt;
+  const std::optional<MedianFlow> step = medianFlow(m_last, grey, *m_box);
+  if (!step || step->residual > 10.0) return std::nullopt;
   if (std::min(step->box.width, step->box.height) < 4.0) return std::nullopt;
-  if (inside(step->box, image.size()) < 0.5) return std::nullopt;
-  const cv::Mat patch = PatchCutter(image.grey(), step->box, m_tool->patchSize()).cut();
+  if (inside(step->box, grey.size()) < 0.5) return std::nullopt;
+  const cv::Mat patch = PatchCutter(grey, step->box, m_tool->patchSize()).cut();
   return Followed{step->box, m_tool->likeness(patch)};
 }
 
@@ -148,18 +149,17 @@ Track TldTracker::track(const cv::Mat& image) {
   if (!m_tool) return Track::idle();
   if (!isTrackable(image)) {
     m_box.reset();
-    m_last = FlowImage();
+    m_last.release();
     return Track::lost();
   }
   const cv::Mat grey = greyOf(image);
-  FlowImage now(grey);
   const bool wasSeen = m_box.has_value();
-  const std::optional<Followed> followed = follow(now);
+  const std::optional<Followed> followed = follow(grey);
   const std::vector<Candidate> candidates = findCandidates(levelsOf(grey), *m_tool);
   integrate(followed, clusterDetections(candidates));
   const bool learning = m_learning && m_box && m_trusted;
   if (learning) learn(grey, candidates);
-  m_last = std::move(now);
+  m_last = grey.data == image.data ? grey.clone() : grey;
   return result(learning, wasSeen);
 }
 

@@ -4,7 +4,6 @@
 #include <random>
 #include <vector>
 
-#include "tracking/median_flow.h"
 #include "tracking/tool_classifier.h"
 #include "tracking/tool_detector.h"
 #include "tracking/tracker.h"
@@ -27,7 +26,7 @@ class TldTracker : public Tracker {
     cv::Rect2d box;
     Likeness likeness;
   };
-  std::optional<Followed> follow(const FlowImage& image) const;
+  std::optional<Followed> follow(const cv::Mat& grey) const;
   ScanLevels levelsOf(const cv::Mat& grey) const;
   void integrate(const std::optional<Followed>& followed, const std::vector<Detection>& detections);
   Track result(bool learnt, bool wasSeen) const;
@@ -35,7 +34,7 @@ class TldTracker : public Tracker {
   void learnFerns(const cv::Mat& grey, const cv::Rect2d& box, int warps, double angle);
 
   std::optional<ToolClassifier> m_tool;
-  FlowImage m_last;
+  cv::Mat m_last;  ///< grey, the image before; empty when it does not lead to the next
   std::optional<cv::Rect2d> m_box;
   Likeness m_likeness;
   bool m_trusted = false;  ///< the box has been the tool's without a break since it was sure
