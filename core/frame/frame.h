@@ -11,10 +11,12 @@
 namespace boomwatch {
 
 struct StereoRig;  // stereo/stereo_rig.h
+struct YardTruth;  // simulation/yard/yard_truth.h
 
 /// What is known about a simulated frame because it was made: the yardstick of tests.
 struct Truth {
-  double distance = 0.0;  ///< metres, load to the nearest surface; 0 when they touch
+  double distance = 0.0;  ///< metres, load to the nearest static surface; 0 when they touch
+  std::shared_ptr<const YardTruth> yard;  ///< all the rest; demo:yard only
 };
 
 /// One moment, as a source delivers it. Immutable once it is delivered; shared between threads.

@@ -7,21 +7,33 @@
 namespace boomwatch {
 namespace {
 
+/// A point of the Minkowski difference a - b.
+struct Difference {
+  Eigen::Vector3d point, onA;
+};
+
 /// At most four points and the weights with which they make `nearest`.
 class Simplex {
  public:
-  explicit Simplex(const Eigen::Vector3d& point) : m_points{point}, m_weights{1.0} {}
+  explicit Simplex(const Difference& point) : m_points{point}, m_weights{1.0} {}
 
   std::size_t size() const { return m_points.size(); }
 
   Eigen::Vector3d nearest() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < size(); ++k) sum += m_weights[k] * m_points[k];
+    for (std::size_t k = 0; k < size(); ++k) sum += m_weights[k] * m_points[k].point;
+    return sum;
+  }
+
+  /// The point of body a that belongs to `nearest`.
+  Eigen::Vector3d nearestOnA() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < size(); ++k) sum += m_weights[k] * m_points[k].onA;
     return sum;
   }
 
   /// Adds a point and moves `nearest` to the point of the hull that is nearest to the origin.
-  void add(const Eigen::Vector3d& point) {
+  void add(const Difference& point) {
     m_points.push_back(point);
     m_weights.push_back(0.0);
     while (true) {
@@ -45,10 +57,10 @@ class Simplex {
     // almost touch.
     Eigen::Matrix3Xd matrix(3, edges);
     for (Eigen::Index k = 0; k < edges; ++k) {
-      matrix.col(k) = m_points[static_cast<std::size_t>(k) + 1] - m_points[0];
+      matrix.col(k) = m_points[static_cast<std::size_t>(k) + 1].point - m_points[0].point;
     }
     Eigen::VectorXd weights(edges + 1);
-    weights.tail(edges) = matrix.colPivHouseholderQr().solve(-m_points[0]);
+    weights.tail(edges) = matrix.colPivHouseholderQr().solve(-m_points[0].point);
     weights[0] = 1.0 - weights.tail(edges).sum();
     return weights;
   }
@@ -77,30 +89,37 @@ class Simplex {
     for (double& weight : m_weights) weight /= sum;
   }
 
-  std::vector<Eigen::Vector3d> m_points;
+  std::vector<Difference> m_points;
   std::vector<double> m_weights;
 };
 
 }  // namespace
 
-double convexDistance(const Support& a, const Support& b) {
+ConvexPair nearestPair(const Support& a, const Support& b) {
   constexpr double tolerance = 1e-6;
   constexpr int mostSteps = 200;
-  const auto difference = [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
-    return a(direction) - b(-direction);
+  const auto difference = [&](const Eigen::Vector3d& direction) -> Difference {
+    const Eigen::Vector3d onA = a(direction);
+    return {onA - b(-direction), onA};
   };
   Simplex simplex(difference(Eigen::Vector3d::UnitX()));
+  const auto found = [&]() -> ConvexPair {
+    const Eigen::Vector3d nearest = simplex.nearest(), onA = simplex.nearestOnA();
+    return {nearest.norm(), onA, onA - nearest};
+  };
   for (int step = 0; step < mostSteps; ++step) {
     const Eigen::Vector3d nearest = simplex.nearest();
     const double distance = nearest.norm();
-    if (distance < tolerance) return 0.0;
-    const Eigen::Vector3d farther = difference(-nearest);
-    if (distance - nearest.dot(farther) / distance < tolerance) return distance;
+    if (distance < tolerance) return {};
+    const Difference farther = difference(-nearest);
+    if (distance - nearest.dot(farther.point) / distance < tolerance) return found();
     simplex.add(farther);
-    if (simplex.size() == 4) return 0.0;  // the origin lies within
+    if (simplex.size() == 4) return {};  // the origin lies within
   }
-  return simplex.nearest().norm();
+  return found();
 }
+
+double convexDistance(const Support& a, const Support& b) { return nearestPair(a, b).distance; }
 
 Support supportOf(const OrientedBox& box) {
   return [box](const Eigen::Vector3d& direction) -> Eigen::Vector3d {

@@ -11,11 +11,19 @@ namespace boomwatch {
 /// and is never zero).
 using Support = std::function<Eigen::Vector3d(const Eigen::Vector3d& direction)>;
 
-/// How far two convex bodies are apart; 0 when they touch or overlap. Metres.
+/// Where two convex bodies are nearest to each other. Metres.
+struct ConvexPair {
+  double distance = 0.0;  ///< 0 when they touch or overlap; the points then mean nothing
+  Eigen::Vector3d onA = Eigen::Vector3d::Zero();
+  Eigen::Vector3d onB = Eigen::Vector3d::Zero();
+};
+
+/// How far two convex bodies are apart, and between which points.
 ///
 /// The point of their Minkowski difference nearest to the origin, by Wolfe's algorithm ("Finding
 /// the nearest point in a polytope", 1976), until the lower bound that the support planes give is
 /// within a micrometre. Pure.
+ConvexPair nearestPair(const Support& a, const Support& b);
 double convexDistance(const Support& a, const Support& b);
 
 /// The farthest corner of a box.

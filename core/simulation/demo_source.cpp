@@ -1,11 +1,13 @@
 #include "simulation/demo_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "frame/error.h"
 #include "simulation/pinhole_view.h"
 #include "simulation/scene.h"
+#include "simulation/yard/yard_source.h"
 #include "sources/indexed_source.h"
 
 namespace boomwatch {
@@ -60,7 +62,7 @@ Demo demoNamed(const std::string& name, const std::string& address) {
     return {wallScene(), {start, {1.5, 0.8, 0.0}, reach}};
   }
   throw Error(address, "there is no demo '" + name + "'",
-              "Give demo:floor, demo:cylinders or demo:wall.");
+              "Give demo:yard, demo:floor, demo:cylinders or demo:wall.");
 }
 
 class DemoSource : public IndexedSource {
@@ -79,7 +81,7 @@ class DemoSource : public IndexedSource {
     frame->left = pictureWithLoad(m_view, load, index);
     frame->cloud = m_view.cloud;
     frame->load = load;
-    frame->truth = Truth{distance(load, m_demo.scene)};
+    frame->truth = Truth{distance(load, m_demo.scene), nullptr};
     return ok(std::move(frame));
   }
 
@@ -91,6 +93,10 @@ class DemoSource : public IndexedSource {
 }  // namespace
 
 std::unique_ptr<FrameSource> openDemoSource(const std::string& name, const std::string& address) {
+  const auto comma = std::min(name.find(','), name.size());
+  if (name.substr(0, comma) == "yard") {
+    return openYardSource(name.substr(std::min(name.size(), comma + 1)), address);
+  }
   return std::make_unique<DemoSource>(name, address);
 }
 

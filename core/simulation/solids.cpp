@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "simulation/convex_distance.h"
-
 namespace boomwatch {
 namespace {
 
@@ -38,6 +36,8 @@ std::optional<Hit> castEnd(const Cylinder& cylinder, const Vector3d& from, const
   return Hit{t, normal};
 }
 
+}  // namespace
+
 Support supportOf(const Cylinder& cylinder) {
   return [cylinder](const Vector3d& direction) -> Vector3d {
     const double along = cylinder.axis.dot(direction);
@@ -48,8 +48,6 @@ Support supportOf(const Cylinder& cylinder) {
     return length > 0.0 ? Vector3d(end + across * (cylinder.radius / length)) : end;
   };
 }
-
-}  // namespace
 
 double Cylinder::distanceTo(const Vector3d& p) const {
   const double along = axis.dot(p - centre);
@@ -106,7 +104,7 @@ double distance(const OrientedBox& load, const Ground& ground) {
 }
 
 double distance(const OrientedBox& load, const Cylinder& cylinder) {
-  return convexDistance(boomwatch::supportOf(load), supportOf(cylinder));
+  return convexDistance(supportOf(load), supportOf(cylinder));
 }
 
 double distance(const OrientedBox& load, const OrientedBox& box) {

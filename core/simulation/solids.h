@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "frame/oriented_box.h"
+#include "simulation/convex_distance.h"
 
 namespace boomwatch {
 
@@ -41,6 +42,9 @@ std::optional<Hit> cast(const Cylinder& cylinder, const Eigen::Vector3d& origin,
                         const Eigen::Vector3d& direction);
 std::optional<Hit> cast(const OrientedBox& box, const Eigen::Vector3d& origin,
                         const Eigen::Vector3d& direction);
+
+/// The point of its rim that lies farthest along a direction.
+Support supportOf(const Cylinder& cylinder);
 
 /// How far a box is from a solid, 0 when they touch or overlap. Exact for the ground, within a
 /// micrometre for the others. Metres.

@@ -1,0 +1,116 @@
+#include "simulation/yard/yard_source.h"
+
+#include <cmath>
+
+#include "simulation/yard/sensor.h"
+#include "simulation/yard/yard.h"
+#include "sources/indexed_source.h"
+
+namespace boomwatch {
+namespace {
+
+constexpr int exposuresOfBlur = 5;
+
+/// Surface points of a depth image (CV_32FC1, metres).
+std::shared_ptr<const Cloud> cloudOf(const cv::Mat& depth, const PinholeCamera& camera) {
+  auto cloud = std::make_shared<Cloud>();
+  cloud->width = depth.cols;
+  cloud->height = depth.rows;
+  cloud->points.reserve(depth.total());
+  for (int v = 0; v < depth.rows; ++v) {
+    for (int u = 0; u < depth.cols; ++u) {
+      const float z = depth.at<float>(v, u);
+      cloud->points.push_back(std::isfinite(z) ? Eigen::Vector3f(z * camera.ray(u, v).cast<float>())
+                                               : unmeasuredPoint());
+    }
+  }
+  return cloud;
+}
+
+/// As a file of 16 bits holds it.
+void roundToMillimetres(cv::Mat& depth) {
+  for (int v = 0; v < depth.rows; ++v) {
+    for (int u = 0; u < depth.cols; ++u) {
+      float& z = depth.at<float>(v, u);
+      z = std::round(z * 1000.0F) / 1000.0F;
+    }
+  }
+}
+
+class YardSource : public IndexedSource {
+ public:
+  YardSource(const YardOptions& options, const std::string& address)
+      : IndexedSource(address, options.frames, Yard::rate),
+        m_options(options),
+        m_yard(options),
+        m_sensor(options),
+        m_rig(std::make_shared<StereoRig>(m_yard.rig())) {}
+
+ protected:
+  ReadResult read(std::size_t index) override {
+    const double time = static_cast<double>(index) / Yard::rate;
+    YardShot shot = m_yard.shootAt(time);
+    auto frame = std::make_shared<Frame>();
+    frame->sequence = index;
+    frame->stamp = time;
+    auto truth = std::make_shared<YardTruth>(m_yard.truthAt(time, shot));
+    if (m_options.blur > 0.0) addBlur(shot, time);
+    frame->left = shot.eyes[0].colour;
+    m_sensor.expose(frame->left, m_yard.eye(0), index);
+    if (m_options.as == YardView::Stereo) {
+      frame->right = shot.eyes[1].colour;
+      m_sensor.expose(frame->right, m_yard.eye(1), index);
+      frame->rig = m_rig;
+    } else {
+      frame->cloud = cloudOf(measured(*truth, index), m_yard.eye(0).camera);
+    }
+    frame->load = truth->load;
+    frame->truth = Truth{truth->nearest.pair.distance, std::move(truth)};
+    return ok(std::move(frame));
+  }
+
+ private:
+  /// The mean of the pictures while the shutter is open.
+  void addBlur(YardShot& shot, double time) const {
+    std::array<cv::Mat, 2> sums;
+    for (int k = 0; k < exposuresOfBlur; ++k) {
+      const double share = (k + 0.5) / exposuresOfBlur - 0.5;
+      const YardShot part = m_yard.shootAt(time + share * m_options.blur / Yard::rate);
+      for (std::size_t eye = 0; eye < sums.size(); ++eye) {
+        const cv::Mat& colour = part.eyes[eye].colour;
+        if (colour.empty()) continue;
+        if (sums[eye].empty()) sums[eye] = cv::Mat(colour.size(), CV_16UC3, cv::Scalar::all(0));
+        cv::add(sums[eye], colour, sums[eye], cv::noArray(), CV_16U);
+      }
+    }
+    for (std::size_t eye = 0; eye < sums.size(); ++eye) {
+      if (!sums[eye].empty()) {
+        sums[eye].convertTo(shot.eyes[eye].colour, CV_8U, 1.0 / exposuresOfBlur);
+      }
+    }
+  }
+
+  cv::Mat measured(const YardTruth& truth, std::size_t index) const {
+    cv::Mat depth = truth.depth.clone();
+    if (m_options.depthNoise > 0.0) {
+      addDepthNoise(depth, m_options.depthNoise, truth.depthTimesDisparity,
+                    (m_options.seed << 20) + index);
+    }
+    if (m_options.as == YardView::Depth) roundToMillimetres(depth);
+    return depth;
+  }
+
+  YardOptions m_options;
+  Yard m_yard;
+  YardSensor m_sensor;
+  std::shared_ptr<const StereoRig> m_rig;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSource> openYardSource(const std::string& options,
+                                            const std::string& address) {
+  return std::make_unique<YardSource>(parseYardOptions(options, address), address);
+}
+
+}  // namespace boomwatch
