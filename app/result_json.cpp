@@ -22,6 +22,7 @@ QJsonArray point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 QByteArray toJsonLine(const Result& result) {
   const Clearance& clearance = result.clearance;
   const std::optional<Nearest>& nearest = clearance.nearest;
+  const std::optional<Approach>& approach = result.approach;
   QJsonObject timings;
   for (const StageTiming& timing : result.timings) {
     timings[text(timing.stage)] = timing.milliseconds;
@@ -39,6 +40,9 @@ QByteArray toJsonLine(const Result& result) {
       {"uncertainty_m", nearest ? QJsonValue(nearest->quantisation) : none},
       {"depth_uncertainty_m", number(result.depthUncertainty)},
       {"level", text(toString(result.level))},
+      {"velocity_m_s", approach ? QJsonValue(point(approach->velocity)) : none},
+      {"closing_m_s", approach ? number(approach->closingSpeed) : none},
+      {"time_to_contact_s", approach ? number(approach->timeToContact) : none},
       {"observed_share", number(clearance.observedShare)},
       {"fill", result.cloud ? QJsonValue(result.fill) : none},
       {"truth_m",

@@ -251,6 +251,10 @@ QString DistanceBar::hintText() const {
   } else {
     lines << tr("nothing within %1 m").arg(QLocale().toString(searchedRange(), 'g', 3));
   }
+  if (result.approach && result.approach->timeToContact) {
+    const double seconds = std::floor(*result.approach->timeToContact * 10.0) / 10.0;
+    lines << tr("contact in %1 s").arg(QLocale().toString(seconds, 'f', 1));
+  }
   if (const auto share = result.clearance.observedShare) {
     // Rounded down: everything was seen only when everything was seen.
     const int percent = static_cast<int>(std::floor(*share * 100.0 + 1e-9));

@@ -129,6 +129,31 @@ constexpr auto table = std::to_array<ParameterInfo>({
     row<&P::warning, &W::warningDistance>(
         "warning_distance",
         {TR("Warning"), TR("Warning below"), TR("The warning begins here"), "m"}, {0.01, 100, 0.1}),
+    row<&P::warning, &W::cautionTime>(
+        "caution_time",
+        {TR("Warning"), TR("Caution time"),
+         TR("Caution also begins when the load, as it moves, would touch something within this "
+            "time; 0 is off"),
+         "s"},
+        {0, 60, 0.5}),
+    row<&P::warning, &W::warningTime>(
+        "warning_time",
+        {TR("Warning"), TR("Warning time"),
+         TR("The warning also begins when the load, as it moves, would touch something within "
+            "this time; 0 is off"),
+         "s"},
+        {0, 60, 0.5}),
+    row<&P::warning, &W::deadband>("warning_deadband",
+                                   {TR("Warning"), TR("Deadband"),
+                                    TR("A level ends this much farther away than it begins"), "m"},
+                                   {0, 10, 0.01}),
+    row<&P::warning, &W::releaseDelay>(
+        "warning_release",
+        {TR("Warning"), TR("Release delay"),
+         TR("A level ends only after a lower one would have done for so long; a load that retreats "
+            "is not kept waiting"),
+         "s"},
+        {0, 60, 0.1}),
     row<&P::load, &L::source>(
         "load_source",
         {TR("Load"), TR("Load given by"),

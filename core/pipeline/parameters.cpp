@@ -40,6 +40,13 @@ void requireModelFits(const Parameters& p) {
   }
 }
 
+void requireTimesInOrder(const WarningParameters& warning) {
+  if (warning.cautionTime == 0.0 || warning.warningTime <= warning.cautionTime) return;
+  throw Error("parameters 'warning_time' and 'caution_time'",
+              format(warning.warningTime) + " is more than " + format(warning.cautionTime),
+              "Set warning_time to caution_time or less, or caution_time to 0 (off).");
+}
+
 /// "Nothing in range" is shown as clear, so the search has to reach as far as caution begins.
 void requireReach(const Parameters& p) {
   const double caution = p.warning.cautionDistance;
@@ -94,6 +101,7 @@ void validate(const Parameters& p) {
   requireOrder("z_min", p.bounds.zMin, "z_max", p.bounds.zMax);
   requireOrder("warning_distance", p.warning.warningDistance, "caution_distance",
                p.warning.cautionDistance);
+  requireTimesInOrder(p.warning);
   requireModelFits(p);
   requireReach(p);
   requireReprojectionInside(p);

@@ -64,10 +64,14 @@ struct ClearanceParameters {
   double range = 10.0;  ///< metres beyond which `exact` says "nothing in range"
 };
 
-/// Metres at and below which each level begins.
+/// When each level begins, and when it ends. Metres, seconds.
 struct WarningParameters {
-  double cautionDistance = 2.0;
+  double cautionDistance = 2.0;  ///< at and below
   double warningDistance = 1.0;
+  double cautionTime = 2.0;   ///< to contact, at and below; 0 is off
+  double warningTime = 1.0;   ///< as cautionTime
+  double deadband = 0.05;     ///< a level ends this much farther away than it begins
+  double releaseDelay = 0.5;  ///< for so long a lower level must do before it is shown
 };
 
 /// The load as the operator describes it. Metres, degrees (this is what a person types).

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 
+#include "collision/approach.h"
 #include "collision/exact_clearance.h"
 #include "collision/nearest_pair.h"
 #include "collision/observed_share.h"
 #include "collision/ray_clearance.h"
 #include "frame/error.h"
 #include "pipeline/frame_checks.h"
+#include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
 #include "tracking/tool_point.h"
 
@@ -55,6 +57,8 @@ struct Pipeline::State {
   Points evidence;  ///< scratch: what the model learns from this frame
   Points hidden;    ///< scratch: what shows neither that something is there nor that nothing is
   std::optional<cv::Point> toolPixel;
+  LoadMotion motion;
+  WarningMemory warning;
   double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
   bool sense(Result& result);
@@ -62,6 +66,8 @@ struct Pipeline::State {
   Clearance judge(const Result& result, Reason frameFault) const;
   Clearance measure(const OrientedBox& load, const Parameters& parameters) const;
   std::optional<double> depthUncertainty(const Clearance& clearance) const;
+  std::optional<Approach> approach(const Result& result);
+  void warn(Result& result);
 };
 
 Pipeline::Pipeline() : m_state(std::make_unique<State>()) {}
@@ -100,7 +106,8 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
 
   result.clearance = state.judge(result, verdict.reason);
   result.depthUncertainty = state.depthUncertainty(result.clearance);
-  result.level = warningLevel(result.clearance, parameters.warning);
+  result.approach = state.approach(result);
+  state.warn(result);
   clock.lap("clearance");
   return result;
 }
@@ -180,6 +187,31 @@ std::optional<double> Pipeline::State::depthUncertainty(const Clearance& clearan
   if (!clearance.nearest || depthPerPixel == 0.0) return std::nullopt;
   const double z = clearance.nearest->onEnvironment.z();
   return 0.25 * z * z * depthPerPixel;
+}
+
+std::optional<Approach> Pipeline::State::approach(const Result& result) {
+  if (!result.load) {
+    motion.reset();
+    return std::nullopt;
+  }
+  const auto velocity = motion.update(result.frame->stamp, result.load->centre);
+  if (!velocity || result.clearance.state == ClearanceState::Unknown) return std::nullopt;
+  Approach approach;
+  approach.velocity = *velocity;
+  if (const auto& nearest = result.clearance.nearest; nearest && nearest->distance > 0.0) {
+    approach.closingSpeed =
+        velocity->dot(nearest->onEnvironment - nearest->onLoad) / nearest->distance;
+  }
+  const WarningParameters& limits = result.parameters.warning;
+  approach.timeToContact = timeToContact(exact, *result.load, *velocity,
+                                         std::max(limits.cautionTime, limits.warningTime));
+  return approach;
+}
+
+void Pipeline::State::warn(Result& result) {
+  warning = nextWarning(warning, {result.frame->stamp, result.clearance, result.approach},
+                        result.parameters.warning);
+  result.level = warning.level;
 }
 
 Result noFrameResult(Reason reason, const Parameters& parameters) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "collision/approach.h"
 #include "environment/environment_model.h"
 #include "environment/static_scene.h"
 #include "frame/clearance.h"
@@ -31,6 +32,8 @@ struct Result {
   std::optional<OrientedBox> load;
   StaticScene scene;
   Clearance clearance;
+  /// How the load moves; absent until it was seen for long enough, and without a distance.
+  std::optional<Approach> approach;
   std::string message;  ///< English detail of a fault in this frame; empty if there was none
   WarningLevel level = WarningLevel::NoDistance;
   /// The depth error, +- metres, that a quarter of a pixel of disparity makes at the nearest point;
