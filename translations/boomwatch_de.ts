@@ -589,6 +589,38 @@
         <source>Width of the neighbourhood that a disparity is the mean of; 0 is off</source>
         <translation>Breite der Nachbarschaft, über die eine Disparität gemittelt wird; 0 ist aus</translation>
     </message>
+    <message>
+        <source>Caution time</source>
+        <translation>Vorsichtszeit</translation>
+    </message>
+    <message>
+        <source>Caution also begins when the load, as it moves, would touch something within this time; 0 is off</source>
+        <translation>Vorsicht beginnt auch, wenn die Last bei ihrer jetzigen Bewegung in dieser Zeit etwas berühren würde; 0 ist aus</translation>
+    </message>
+    <message>
+        <source>Warning time</source>
+        <translation>Warnzeit</translation>
+    </message>
+    <message>
+        <source>The warning also begins when the load, as it moves, would touch something within this time; 0 is off</source>
+        <translation>Die Warnung beginnt auch, wenn die Last bei ihrer jetzigen Bewegung in dieser Zeit etwas berühren würde; 0 ist aus</translation>
+    </message>
+    <message>
+        <source>Deadband</source>
+        <translation>Totband</translation>
+    </message>
+    <message>
+        <source>A level ends this much farther away than it begins</source>
+        <translation>Eine Stufe endet um so viel weiter entfernt, als sie beginnt</translation>
+    </message>
+    <message>
+        <source>Release delay</source>
+        <translation>Rückfallverzögerung</translation>
+    </message>
+    <message>
+        <source>A level ends only after a lower one would have done for so long; a load that retreats is not kept waiting</source>
+        <translation>Eine Stufe endet erst, wenn so lange eine niedrigere genügt hätte; eine Last, die sich entfernt, muss nicht warten</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -870,6 +902,10 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Distance: %1, %2</source>
         <translation>Abstand: %1, %2</translation>
+    </message>
+    <message>
+        <source>contact in %1 s</source>
+        <translation>Berührung in %1 s</translation>
     </message>
 </context>
 <context>
