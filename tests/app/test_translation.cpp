@@ -31,7 +31,7 @@ class TestTranslation : public QObject {
   }
 
   void noTextIsLeftUntranslated() {
-    QFile file(QFINDTESTDATA("../../translations/boomwatch_de.ts"));
+    QFile file(QFINDTESTDATA("../translations/boomwatch_de.ts"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QString text = QString::fromUtf8(file.readAll());
     QVERIFY(text.count("<source>") > 250);
@@ -40,7 +40,7 @@ class TestTranslation : public QObject {
   }
 
   void placeholdersAreKept() {
-    QFile file(QFINDTESTDATA("../../translations/boomwatch_de.ts"));
+    QFile file(QFINDTESTDATA("../translations/boomwatch_de.ts"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     static const QRegularExpression message(
         QStringLiteral("<source>(.*?)</source>\\s*<translation>(.*?)</translation>"),
