@@ -18,7 +18,6 @@
 #include <QToolButton>
 #include <QUrl>
 
-#include "help_dialog.h"
 #include "pipeline/pipeline.h"
 #include "source_dialog.h"
 #include "source_guess.h"
@@ -72,6 +71,7 @@ MainWindow::MainWindow(const Parameters& parameters, Worker* worker,
   resize(firstSize);
   m_panes.arrange(this);
   m_panes.parameters->setParameters(parameters);
+  m_panes.tracking->setParameters(parameters);
   m_rebuild.want(parameters);
   wire();
   restore();
@@ -93,53 +93,6 @@ void MainWindow::makeToolBars() {
   controls->addAction(m_menus.help);
   addToolBarBreak();
   addBar(this, "state", tr("State"))->addWidget(m_panes.state);
-}
-
-void MainWindow::wire() {
-  wirePlayer();
-  wireMenus();
-  wirePanes();
-  connect(&m_watch, &QTimer::timeout, this, &MainWindow::watch);
-  m_watch.start(std::chrono::milliseconds(200));
-  if (m_worker) connect(m_worker, &Worker::newsWaiting, this, &MainWindow::takeNews);
-  qApp->installEventFilter(this);
-}
-
-void MainWindow::wirePlayer() {
-  const PlayerBar* player = m_panes.player;
-  connect(player, &PlayerBar::playRequested, this, [this] { send(PlayCommand{}); });
-  connect(player, &PlayerBar::pauseRequested, this, [this] { send(PauseCommand{}); });
-  connect(player, &PlayerBar::stepRequested, this,
-          [this](int direction) { send(StepCommand{direction}); });
-  connect(player, &PlayerBar::seekRequested, this,
-          [this](std::size_t index) { send(SeekCommand{index}); });
-  connect(player, &PlayerBar::loopChanged, this, [this](bool loop) { send(LoopCommand{loop}); });
-  connect(player, &PlayerBar::speedChanged, this,
-          [this](double speed) { send(SpeedCommand{speed}); });
-}
-
-void MainWindow::wireMenus() {
-  connect(m_menus.kinds, &QActionGroup::triggered, this, [this](const QAction* action) {
-    askForSource(static_cast<SourceKind>(action->data().toInt()));
-  });
-  connect(m_menus.demos, &QActionGroup::triggered, this,
-          [this](const QAction* action) { openSource(action->data().toString()); });
-  connect(m_menus.quit, &QAction::triggered, this, &QWidget::close);
-  connect(m_menus.cloudColours, &QActionGroup::triggered, this, &MainWindow::applyColours);
-  connect(m_menus.mapColours, &QActionGroup::triggered, this, &MainWindow::applyColours);
-  connect(m_menus.lightTheme, &QAction::toggled, this, &MainWindow::chooseTheme);
-  connect(m_menus.resetView, &QAction::triggered, m_panes.cloud, &PointCloudView::resetView);
-  connect(m_menus.fitMaps, &QAction::triggered, m_panes.probability, &MapView::fit);
-  connect(m_menus.fitMaps, &QAction::triggered, m_panes.environment, &MapView::fit);
-  connect(m_menus.resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
-  connect(m_menus.snapshot, &QAction::triggered, this, &MainWindow::askForSnapshot);
-  connect(m_menus.help, &QAction::triggered, this, [this] { HelpDialog(this).exec(); });
-}
-
-void MainWindow::wirePanes() {
-  connect(m_panes.parameters, &ParameterDock::parametersChanged, this, &MainWindow::setParameters);
-  connect(m_panes.camera, &CameraView::toolPicked, this, [this](QPoint pixel) { setTool(pixel); });
-  connect(m_panes.camera, &CameraView::toolCleared, this, [this] { setTool(std::nullopt); });
 }
 
 void MainWindow::send(const Command& command) {
@@ -216,6 +169,9 @@ void MainWindow::showNotice(const Notice& notice) {
     case Notice::Kind::Lost:
       m_panes.state->showFault(tr("Lost: %1").arg(notice.text));
       break;
+    case Notice::Kind::Tool:
+      m_panes.state->showFault(tr("Tool: %1").arg(notice.text));
+      break;
     case Notice::Kind::Parameters:
       m_panes.state->showFault(tr("Parameters not in force: %1").arg(notice.text));
       break;
@@ -256,13 +212,13 @@ void MainWindow::showNothing() {
 
 void MainWindow::setParameters(const Parameters& parameters) {
   m_rebuild.want(parameters);
+  m_panes.tracking->setParameters(parameters);
   if (m_worker) m_worker->setParameters(parameters);
   refreshState();
 }
 
-void MainWindow::setTool(std::optional<QPoint> pixel) {
-  if (!m_worker) return;
-  m_worker->setToolPixel(pixel ? std::optional(cv::Point(pixel->x(), pixel->y())) : std::nullopt);
+void MainWindow::orderTool(const ToolOrder& order) {
+  send(ToolCommand{order});
   if (m_status.player && !playing()) {
     m_panes.state->showNotice(tr("The tool is set with the next frame."));
   }

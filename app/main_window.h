@@ -62,6 +62,7 @@ class MainWindow : public QMainWindow {
   void wirePlayer();
   void wireMenus();
   void wirePanes();
+  void wireTracking();
   void takeNews();
   void showNews(const News& news);
   void showNotice(const Notice& notice);
@@ -72,7 +73,7 @@ class MainWindow : public QMainWindow {
   void askForSource(SourceKind kind);
   void askForSnapshot();
   void setParameters(const Parameters& parameters);
-  void setTool(std::optional<QPoint> pixel);
+  void orderTool(const ToolOrder& order);
   void applyColours();
   void chooseTheme();
   void resetLayout();
