@@ -18,8 +18,11 @@ struct CommandLine {
   QString source;  ///< empty: the last one (window) or the built-in demo (headless)
   SourceOptions sourceOptions;
   std::optional<std::size_t> frames;  ///< stop after this many
-  QString output;                     ///< JSON lines; empty or "-": standard output
-  QString screenshot;                 ///< PNG of the whole window after the last frame
+  /// JSON lines; empty or "-": standard output. With exportDemo, the folder.
+  QString output;
+  QString exportDemo;  ///< as behind "demo:"; empty: none
+  bool exportTruthImages = false;
+  QString screenshot;  ///< PNG of the whole window after the last frame
   Parameters parameters;
   std::optional<cv::Point> tool;
   std::optional<cv::Rect> track;           ///< the tool's box in the first picture
