@@ -46,11 +46,16 @@ void addOptions(QCommandLineParser& parser) {
   option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
   option("track", "X,Y,W,H",
          tr("Box of the left image in which the tool is first seen: corner and size in pixels"));
-  option("tracker", "NAME", tr("What follows the tool: tld, cmt, klt, csrt or manual"));
   option("tracker-model", "FILE",
          tr("Find the tool by this saved model instead of a box; several are merged"));
   option("learn", "on|off", tr("Whether the tracker goes on learning what the tool looks like"));
   option("save-tracker-model", "FILE", tr("Where to save, at the end, what the tracker learnt"));
+  option("tracker", "NAME",
+         tr("What follows the tool: tld, cmt, klt, csrt or manual; with --evaluate it may be given "
+            "often, and opencv_tld, opencv_csrt and opencv_medianflow are possible too"));
+  option("evaluate", "tracking",
+         tr("Instead of all this, run trackers over the FOLDERs that follow, each a sequence with "
+            "ground truth or a folder of such; --output names a folder for the tables"));
   parser.addOption(
       QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
   option("version", "", tr("Show the version"));
@@ -87,7 +92,8 @@ int wholeNumber(const QString& option, const QString& value, int minimum) {
 }
 
 void setTracker(Parameters& parameters, const QCommandLineParser& parser) {
-  if (parser.isSet(QStringLiteral("tracker"))) {
+  // An evaluation knows more of them, and several at a time.
+  if (parser.isSet(QStringLiteral("tracker")) && !parser.isSet(QStringLiteral("evaluate"))) {
     setParameter(parameters, "tracker", parser.value(QStringLiteral("tracker")).toStdString());
   }
   if (!parser.isSet(QStringLiteral("learn"))) return;
@@ -140,6 +146,26 @@ void requireLearner(const CommandLine& line) {
     throw Error("--track", "the tracker manual follows nothing",
                 "Give another --tracker, or --tool U,V.");
   }
+
+/// Positional arguments are the folders of an evaluation, and nothing else.
+void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
+  line.trackers = parser.values(QStringLiteral("tracker"));
+  line.evaluate = parser.isSet(QStringLiteral("evaluate"));
+  const QStringList words = parser.positionalArguments();
+  if (!line.evaluate) {
+    if (words.isEmpty()) return;
+    throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
+                "Name a recording with --source KIND:PATH; --help lists the kinds.");
+  }
+  const QString what = parser.value(QStringLiteral("evaluate"));
+  if (what != QLatin1String("tracking")) {
+    throw Error("--evaluate", "'" + what.toStdString() + "' cannot be evaluated",
+                "Write --evaluate tracking FOLDER...");
+  }
+  if (words.isEmpty()) {
+    throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
+  }
+  line.evaluationFolders = words;
 }
 
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
@@ -173,11 +199,6 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     while (fault.endsWith(QLatin1Char('.'))) fault.chop(1);
     throw Error("command line", fault.toStdString(), "--help lists the options.");
   }
-  if (!parser.positionalArguments().isEmpty()) {
-    throw Error("command line",
-                "'" + parser.positionalArguments().constFirst().toStdString() + "' is no option",
-                "Name a recording with --source KIND:PATH; --help lists the kinds.");
-  }
   CommandLine line;
   line.help = parser.isSet(QStringLiteral("help"));
   line.version = parser.isSet(QStringLiteral("version"));
@@ -192,6 +213,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     line.frames = static_cast<std::size_t>(
         wholeNumber(QStringLiteral("--frames"), parser.value(QStringLiteral("frames")), 1));
   }
+  readEvaluation(line, parser);
   readTool(line, parser);
   readParameters(line, parser);
   requireLearner(line);

@@ -18,7 +18,7 @@ struct CommandLine {
   QString source;  ///< empty: the last one (window) or the built-in demo (headless)
   SourceOptions sourceOptions;
   std::optional<std::size_t> frames;  ///< stop after this many
-  /// JSON lines; empty or "-": standard output. With exportDemo, the folder.
+  /// JSON lines; empty or "-": standard output. A folder with exportDemo and evaluate.
   QString output;
   QString exportDemo;  ///< as behind "demo:"; empty: none
   bool exportTruthImages = false;
@@ -28,6 +28,9 @@ struct CommandLine {
   std::optional<cv::Rect> track;           ///< the tool's box in the first picture
   std::vector<std::string> trackerModels;  ///< files; several are merged
   std::string saveTrackerModel;            ///< empty: nowhere
+  bool evaluate = false;          ///< run trackers over evaluationFolders; see evaluate.h
+  QStringList evaluationFolders;  ///< at least one
+  QStringList trackers;           ///< of --tracker; empty: all of them are evaluated
   bool help = false;
   bool version = false;
 };

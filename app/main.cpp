@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "console.h"
+#include "evaluate.h"
 #include "export_run.h"
 #include "frame/error.h"
 #include "headless.h"
@@ -43,6 +44,7 @@ int run(const boomwatch::CommandLine& line, int& argc, char** argv) {
     return boomwatch::runExport({line.exportDemo.toStdString(), line.frames,
                                  line.output.toStdString(), line.exportTruthImages});
   }
+  if (line.evaluate) return boomwatch::runEvaluation(line);
   if (line.headless) return runHeadlessly(line, argc, argv);
   if (!hasDisplay()) {
     throw boomwatch::Error("window", "there is no display",
