@@ -589,6 +589,54 @@
         <source>Width of the neighbourhood that a disparity is the mean of; 0 is off</source>
         <translation>Breite der Nachbarschaft, über die eine Disparität gemittelt wird; 0 ist aus</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thesis: Eq. 8-9, one miss can drop a cell; hysteresis: a cell leaves only at the leave threshold; log_odds: Bayes&apos; rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hysteresis: at this probability a cell no longer counts; below probtresh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is measured once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is missed once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: a hit starts from this probability at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: hits raise the probability to this at most</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -819,6 +867,14 @@
         <source>checks</source>
         <translation>Prüfung</translation>
     </message>
+    <message>
+        <source>Search too short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was found, but the search ends before caution begins. Raise radius or range.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::CameraView</name>
@@ -975,10 +1031,6 @@ Rechtsklick oder Escape: vergessen.</translation>
         <translation>Voreinstellungen (*.yaml *.yml)</translation>
     </message>
     <message>
-        <source>At or above p_prior / (1 - p_post), the highest probability a cell can reach: nothing enters the model.</source>
-        <translation>Nicht kleiner als p_prior / (1 - p_post), die höchste Wahrscheinlichkeit, die eine Zelle erreichen kann: nichts gelangt ins Modell.</translation>
-    </message>
-    <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
     </message>
@@ -1021,6 +1073,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Not in force</source>
         <translation>Nicht in Kraft</translation>
+    </message>
+    <message>
+        <source>At or above the highest probability a cell can reach, p_prior / (1 - p_post) or log_odds_high: nothing enters the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So low that a cell which is looked through stays occupied: nothing leaves the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search ends before the caution distance: where it finds nothing there is no distance, rather than clear.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
