@@ -8,6 +8,7 @@
 #include "frame/error.h"
 #include "pipeline/pipeline.h"
 #include "result_json.h"
+#include "stereo/row_alignment.h"
 #include "tool_models.h"
 
 namespace boomwatch {
@@ -110,8 +111,18 @@ class HeadlessRun {
     if (!result.message.empty() && result.frame) fault(result.message);
     if (!result.tool.fault.empty()) fault(result.tool.fault);
     if (result.tool.model) m_toolModel = result.tool.model;
+    sayIfRowsDiffer(result);
     m_writer.write(toJsonLine(result));
     m_last = std::make_shared<Result>(std::move(result));
+  }
+
+  /// No fault, but no number is right then. Once is enough.
+  void sayIfRowsDiffer(const Result& result) {
+    if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+    m_rowsTold = true;
+    complain("the calibration does not fit: the rows of left and right differ by " +
+             QString::number(*result.rowResidue, 'f', 1).toStdString() +
+             " px. Calibrate anew, or set stereo_refine.");
   }
 
   /// No fault: some containers only estimate how many frames they hold.
@@ -155,6 +166,7 @@ class HeadlessRun {
   std::shared_ptr<Result> m_last;
   std::shared_ptr<const ToolModel> m_toolModel;  ///< the last there was
   double m_silence = 0.0;
+  bool m_rowsTold = false;
   bool m_faulty = false;
 };
 

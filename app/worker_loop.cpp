@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frame/error.h"
+#include "stereo/row_alignment.h"
 #include "tool_models.h"
 
 namespace boomwatch {
@@ -163,6 +164,7 @@ void WorkerLoop::startPlaying(std::unique_ptr<FrameSource> source) {
   if (m_firstTool) m_pipeline.order(*std::exchange(m_firstTool, std::nullopt));
   m_last.reset();
   m_stalled = false;
+  m_rowsTold = false;
   obey(PlayCommand{});
 }
 
@@ -204,6 +206,7 @@ void WorkerLoop::process(const FramePtr& frame) {
     if (!result->model) {
       result->model = std::make_shared<const EnvironmentModel>(m_pipeline.model());
     }
+    checkRows(*result);
     if (!result->message.empty()) tell(Notice::Kind::Frame, result->message);
     if (!result->tool.fault.empty()) tell(Notice::Kind::Tool, result->tool.fault);
     publish(std::move(result));
@@ -225,6 +228,12 @@ void WorkerLoop::checkAge() {
   if (m_stalled || age.count() <= m_parameters.validity.maxFrameAge) return;
   m_stalled = true;
   publishNoFrame(Reason::NoFrame);
+}
+
+void WorkerLoop::checkRows(const Result& result) {
+  if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+  m_rowsTold = true;
+  tell(Notice::Kind::Calibration, QString::number(*result.rowResidue, 'f', 1).toStdString());
 }
 
 void WorkerLoop::countFrame() {

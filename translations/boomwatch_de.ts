@@ -99,6 +99,10 @@
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
+    <message>
+        <source>Demo: forestry y&amp;ard</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Panes</name>
@@ -673,6 +677,62 @@
         <source>How quickly the tool changes its velocity; less is smoother</source>
         <translation>Wie schnell das Werkzeug seine Geschwindigkeit ändert; weniger ist glatter</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thesis: Eq. 8-9, one miss can drop a cell; hysteresis: a cell leaves only at the leave threshold; log_odds: Bayes&apos; rule</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hysteresis: at this probability a cell no longer counts; below probtresh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is measured once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is missed once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: a hit starts from this probability at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Odds high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log_odds: hits raise the probability to this at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the right camera by up to a degree, so that the rows of both pictures agree</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -914,6 +974,14 @@
     <message>
         <source>tool</source>
         <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Search too short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was found, but the search ends before caution begins. Raise radius or range.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1176,6 +1244,10 @@ Rechtsklick oder Escape: vergessen.</translation>
         <source>Tool: %1</source>
         <translation>Werkzeug: %1</translation>
     </message>
+    <message>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::MapView</name>
@@ -1197,10 +1269,6 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Presets (*.yaml *.yml)</source>
         <translation>Voreinstellungen (*.yaml *.yml)</translation>
-    </message>
-    <message>
-        <source>At or above p_prior / (1 - p_post), the highest probability a cell can reach: nothing enters the model.</source>
-        <translation>Nicht kleiner als p_prior / (1 - p_post), die höchste Wahrscheinlichkeit, die eine Zelle erreichen kann: nichts gelangt ins Modell.</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -1245,6 +1313,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Not in force</source>
         <translation>Nicht in Kraft</translation>
+    </message>
+    <message>
+        <source>At or above the highest probability a cell can reach, p_prior / (1 - p_post) or log_odds_high: nothing enters the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So low that a cell which is looked through stays occupied: nothing leaves the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search ends before the caution distance: where it finds nothing there is no distance, rather than clear.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

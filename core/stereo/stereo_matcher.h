@@ -6,6 +6,7 @@
 #include "frame/cloud.h"
 #include "pipeline/parameters.h"
 #include "stereo/disparity_smoother.h"
+#include "stereo/row_alignment.h"
 #include "stereo/stereo_rig.h"
 
 namespace boomwatch {
@@ -23,14 +24,19 @@ struct StereoResult {
   std::shared_ptr<const Cloud> cloud;
   double focalLength = 0.0;  ///< pixels, of the rectified pair
   double baseline = 0.0;     ///< metres
+  /// How far the rows of left and right differ, pixels, by features of the first frames; absent
+  /// until those are seen, and where they show too little. See mostRowResidue. With `refine` what
+  /// is left after the correction.
+  std::optional<double> rowResidue;
 };
 
 /// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject
 /// (method.md section 2, Eq. 5).
 ///
-/// Keeps the rectification maps between frames; they are made anew when the rig changes. With
-/// `average` above 1 it also keeps the mean disparities of the last frames.
-/// Used by one thread.
+/// Keeps the rectification maps between frames; they are made anew when the rig changes. The first
+/// frames of a rig show how far its rows differ; with `refine` the right camera is turned from then
+/// on so that they do not (see RowFit). With `average` above 1 it also keeps the mean disparities
+/// of the last frames. Used by one thread.
 class StereoStage {
  public:
   StereoStage();
@@ -40,17 +46,20 @@ class StereoStage {
   /// the rig or the parameters cannot be used.
   StereoResult process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
                        const StereoParameters& parameters) {
-    return match(rectify(left, right, rig), parameters);
+    return match(rectify(left, right, rig, parameters), parameters);
   }
 
   /// The first half of process(): whoever needs only the picture need not wait for the second.
-  RectifiedPair rectify(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig);
+  RectifiedPair rectify(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
+                        const StereoParameters& parameters);
   /// The second half, of what rectify() gave last; it must have.
   StereoResult match(const RectifiedPair& pair, const StereoParameters& parameters);
 
  private:
   struct Maps;
   std::unique_ptr<Maps> m_maps;
+  RowAlignment m_rows;
+  bool m_refined = false;  ///< whether the last pair was turned by what m_rows found
   DisparitySmoother m_smoother;
 };
 
