@@ -101,7 +101,7 @@
     </message>
     <message>
         <source>Demo: forestry y&amp;ard</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo: &amp;Holzplatz</translation>
     </message>
 </context>
 <context>
@@ -296,10 +296,6 @@
     <message>
         <source>Load given by</source>
         <translation>Last gegeben durch</translation>
-    </message>
-    <message>
-        <source>scene: only what the source itself knows; manual: the values below</source>
-        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter</translation>
     </message>
     <message>
         <source>Centre x</source>
@@ -679,59 +675,119 @@
     </message>
     <message>
         <source>Update</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktualisierung</translation>
     </message>
     <message>
         <source>thesis: Eq. 8-9, one miss can drop a cell; hysteresis: a cell leaves only at the leave threshold; log_odds: Bayes&apos; rule</source>
-        <translation type="unfinished"></translation>
+        <translation>thesis: Gl. 8-9, ein Fehlen kann eine Zelle löschen; hysteresis: eine Zelle geht erst an der Austrittsschwelle; log_odds: Satz von Bayes</translation>
     </message>
     <message>
         <source>Leave threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Austrittsschwelle</translation>
     </message>
     <message>
         <source>hysteresis: at this probability a cell no longer counts; below probtresh</source>
-        <translation type="unfinished"></translation>
+        <translation>hysteresis: bei dieser Wahrscheinlichkeit zählt eine Zelle nicht mehr; unter probtresh</translation>
     </message>
     <message>
         <source>Odds hit</source>
-        <translation type="unfinished"></translation>
+        <translation>Odds Treffer</translation>
     </message>
     <message>
         <source>log_odds: probability of a cell that is measured once</source>
-        <translation type="unfinished"></translation>
+        <translation>log_odds: Wahrscheinlichkeit einer Zelle, die einmal gemessen wurde</translation>
     </message>
     <message>
         <source>Odds miss</source>
-        <translation type="unfinished"></translation>
+        <translation>Odds Fehlen</translation>
     </message>
     <message>
         <source>log_odds: probability of a cell that is missed once</source>
-        <translation type="unfinished"></translation>
+        <translation>log_odds: Wahrscheinlichkeit einer Zelle, die einmal fehlte</translation>
     </message>
     <message>
         <source>Odds low</source>
-        <translation type="unfinished"></translation>
+        <translation>Odds unten</translation>
     </message>
     <message>
         <source>log_odds: a hit starts from this probability at least</source>
-        <translation type="unfinished"></translation>
+        <translation>log_odds: ein Treffer beginnt mindestens bei dieser Wahrscheinlichkeit</translation>
     </message>
     <message>
         <source>Odds high</source>
-        <translation type="unfinished"></translation>
+        <translation>Odds oben</translation>
     </message>
     <message>
         <source>log_odds: hits raise the probability to this at most</source>
-        <translation type="unfinished"></translation>
+        <translation>log_odds: Treffer heben die Wahrscheinlichkeit höchstens bis hierher</translation>
     </message>
     <message>
         <source>Refine</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>Turn the right camera by up to a degree, so that the rows of both pictures agree</source>
-        <translation type="unfinished"></translation>
+        <translation>Die rechte Kamera um bis zu ein Grad drehen, damit die Zeilen beider Bilder übereinstimmen</translation>
+    </message>
+    <message>
+        <source>scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
+        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter; detected: in jedem Bild am Werkzeug gefunden</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>detected: a log, a box, or a box where there is no log</source>
+        <translation>detected: ein Stamm, ein Kasten, oder ein Kasten, wo kein Stamm ist</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>detected: learnt at first and then held, or locked to the sizes above (x is a log&apos;s length)</source>
+        <translation>detected: anfangs gelernt und dann gehalten, oder fest die Maße darüber (x ist die Länge eines Stamms)</translation>
+    </message>
+    <message>
+        <source>Learning time</source>
+        <translation>Lernzeit</translation>
+    </message>
+    <message>
+        <source>detected: over which the sizes are learnt</source>
+        <translation>detected: so lange werden die Maße gelernt</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Größtes Maß</translation>
+    </message>
+    <message>
+        <source>detected: what is longer is no load</source>
+        <translation>detected: was länger ist, ist keine Last</translation>
+    </message>
+    <message>
+        <source>Tool size</source>
+        <translation>Werkzeuggröße</translation>
+    </message>
+    <message>
+        <source>detected: what is nearer than half of this to the tool point is the tool, not the load</source>
+        <translation>detected: was dem Werkzeugpunkt näher ist als die Hälfte davon, ist das Werkzeug, nicht die Last</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>detected: points so near to the load are taken out with it</source>
+        <translation>detected: Punkte, die der Last so nah sind, werden mit ihr herausgenommen</translation>
+    </message>
+    <message>
+        <source>Load age</source>
+        <translation>Alter der Last</translation>
+    </message>
+    <message>
+        <source>Longer without seeing the load that is detected, and there is no distance</source>
+        <translation>Wird die erkannte Last länger nicht gesehen, gibt es keinen Abstand</translation>
     </message>
 </context>
 <context>
@@ -977,11 +1033,67 @@
     </message>
     <message>
         <source>Search too short</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche zu kurz</translation>
     </message>
     <message>
         <source>Nothing was found, but the search ends before caution begins. Raise radius or range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gefunden, aber die Suche endet, bevor die Vorsicht beginnt. Erhöhen Sie Radius oder Reichweite.</translation>
+    </message>
+    <message>
+        <source>Load not seen</source>
+        <translation>Last nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>The load is not seen at the tool. Turn the tool, or give its sizes.</source>
+        <translation>Die Last ist am Werkzeug nicht zu sehen. Drehen Sie das Werkzeug oder geben Sie ihre Maße an.</translation>
+    </message>
+    <message>
+        <source>It is not known where the tool is.</source>
+        <translation>Es ist nicht bekannt, wo das Werkzeug ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured at the tool.</source>
+        <translation>Am Werkzeug wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>What is at the tool is the ground or a wall.</source>
+        <translation>Was am Werkzeug ist, ist der Boden oder eine Wand.</translation>
+    </message>
+    <message>
+        <source>Nothing reaches out of the tool: it is empty.</source>
+        <translation>Nichts ragt aus dem Werkzeug: Es ist leer.</translation>
+    </message>
+    <message>
+        <source>The load points at the camera.</source>
+        <translation>Die Last zeigt auf die Kamera.</translation>
+    </message>
+    <message>
+        <source>An end of the load is hidden.</source>
+        <translation>Ein Ende der Last ist verdeckt.</translation>
+    </message>
+    <message>
+        <source>Only one face of the load is seen.</source>
+        <translation>Von der Last ist nur eine Seite zu sehen.</translation>
+    </message>
+    <message>
+        <source>Too few points on the load.</source>
+        <translation>Zu wenige Punkte auf der Last.</translation>
+    </message>
+    <message>
+        <source>What is at the tool does not have the shape of a load.</source>
+        <translation>Was am Werkzeug ist, hat nicht die Form einer Last.</translation>
+    </message>
+    <message>
+        <source>What is at the tool is too large for a load.</source>
+        <translation>Was am Werkzeug ist, ist zu groß für eine Last.</translation>
+    </message>
+    <message>
+        <source>The load is not inside the bounds.</source>
+        <translation>Die Last liegt nicht in den Grenzen.</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
     </message>
 </context>
 <context>
@@ -1246,7 +1358,7 @@ Rechtsklick oder Escape: vergessen.</translation>
     </message>
     <message>
         <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein.</translation>
     </message>
 </context>
 <context>
@@ -1316,15 +1428,15 @@ Rechtsklick oder Escape: vergessen.</translation>
     </message>
     <message>
         <source>At or above the highest probability a cell can reach, p_prior / (1 - p_post) or log_odds_high: nothing enters the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf oder über der höchsten Wahrscheinlichkeit, die eine Zelle erreichen kann, p_prior / (1 - p_post) oder log_odds_high: Nichts gelangt ins Modell.</translation>
     </message>
     <message>
         <source>So low that a cell which is looked through stays occupied: nothing leaves the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>So niedrig, dass eine Zelle, durch die hindurchgesehen wird, belegt bleibt: Nichts verlässt das Modell.</translation>
     </message>
     <message>
         <source>The search ends before the caution distance: where it finds nothing there is no distance, rather than clear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Suche endet vor dem Vorsichtsabstand: Wo sie nichts findet, gibt es keinen Abstand statt „frei“.</translation>
     </message>
 </context>
 <context>
@@ -1556,6 +1668,14 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Milliseconds that this stage took for the last frame</source>
         <translation>Millisekunden, die diese Stufe für das letzte Bild brauchte</translation>
+    </message>
+    <message>
+        <source>Load last seen %1 s ago.</source>
+        <translation>Last zuletzt vor %1 s gesehen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the points were taken out with boom, tool and load.</source>
+        <translation>%1 % der Punkte wurden mit Ausleger, Werkzeug und Last herausgenommen.</translation>
     </message>
 </context>
 <context>

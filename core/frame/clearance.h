@@ -17,6 +17,7 @@ enum class Reason {
   SceneMoves,       ///< the picture moves as a whole: the camera is not still
   ToolLost,         ///< a tracker runs, and has not known for max_tool_age where the tool is
   NoLoad,           ///< nobody said where the load is
+  LoadNotSeen,      ///< it is to be detected, and was not for longer than max_load_age
   LoadOutside,      ///< the load is not inside the bounds
   NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
   SearchTooShort,   ///< nothing found, but the search ends before the caution distance

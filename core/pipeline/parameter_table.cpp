@@ -1,60 +1,20 @@
 #include "pipeline/parameter_table.h"
 
-#include <algorithm>
-
-#include "pipeline/parameter_range.h"
+#include "pipeline/table_row.h"
 
 namespace boomwatch {
 namespace {
 
-using Names = std::span<const std::string_view>;
+using namespace table_row;
 constexpr std::array<std::string_view, 2> matcherNames{"sgbm", "bm"};
 constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "radius"};
 constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
 constexpr std::array<std::string_view, 3> updateNames{"thesis", "hysteresis", "log_odds"};
-constexpr std::array<std::string_view, 2> loadNames{"scene", "manual"};
 constexpr std::array<std::string_view, 5> trackerNames{"manual", "tld", "cmt", "klt", "csrt"};
 constexpr std::array<std::string_view, 2> toolPointNames{"right", "near"};
-
-struct Range {
-  double minimum = 0.0;
-  double maximum = 1.0;
-  double step = 1.0;
-};
-
-struct Text {
-  const char* group;
-  const char* label;
-  const char* tooltip;
-  const char* unit = "";
-};
-
-template <auto Group, auto Field>
-constexpr auto& access(auto& parameters) {
-  return (parameters.*Group).*Field;
-}
-
-template <auto Group, auto Field>
-constexpr ParameterInfo row(std::string_view key, Text text, Range range = {}, Names names = {}) {
-  using T = std::remove_cvref_t<decltype(access<Group, Field>(std::declval<Parameters&>()))>;
-  auto get = [](const Parameters& p) -> ParameterValue {
-    const T& value = access<Group, Field>(p);
-    if constexpr (std::is_enum_v<T>) {
-      return Choice{static_cast<int>(value)};
-    } else {
-      return value;
-    }
-  };
-  auto set = [](Parameters& p, const ParameterValue& value) {
-    if constexpr (std::is_enum_v<T>) {
-      access<Group, Field>(p) = static_cast<T>(std::get<Choice>(value).index);
-    } else {
-      access<Group, Field>(p) = std::get<T>(value);
-    }
-  };
-  return {key,           text.group, text.label, text.tooltip, text.unit, range.minimum,
-          range.maximum, range.step, names,      get,          set};
-}
+constexpr std::array<std::string_view, 3> loadNames{"scene", "manual", "detected"};
+constexpr std::array<std::string_view, 3> shapeNames{"cylinder", "box", "auto"};
+constexpr std::array<std::string_view, 2> dimensionNames{"learnt", "locked"};
 
 #define TR(text) QT_TRANSLATE_NOOP("Parameters", text)
 using P = Parameters;
@@ -184,11 +144,12 @@ constexpr auto table = std::to_array<ParameterInfo>({
             "is not kept waiting"),
          "s"},
         {0, 60, 0.1}),
-    row<&P::load, &L::source>(
-        "load_source",
-        {TR("Load"), TR("Load given by"),
-         TR("scene: only what the source itself knows; manual: the values below")},
-        {}, loadNames),
+    row<&P::load, &L::source>("load_source",
+                              {TR("Load"), TR("Load given by"),
+                               TR("scene: only what the source itself knows; manual: the values "
+                                  "below; detected: found in "
+                                  "every frame, at the tool")},
+                              {}, loadNames),
     row<&P::load, &L::x>(
         "load_x",
         {TR("Load"), TR("Centre x"), TR("Centre of the load, to the right of the camera"), "m"},
@@ -215,6 +176,35 @@ constexpr auto table = std::to_array<ParameterInfo>({
                              {TR("Load"), TR("Pitch"), TR("Turn about x, second"), "°"}, angle),
     row<&P::load, &L::roll>("load_roll", {TR("Load"), TR("Roll"), TR("Turn about z, third"), "°"},
                             angle),
+    row<&P::load, &L::shape>(
+        "load_shape",
+        {TR("Load"), TR("Shape"), TR("detected: a log, a box, or a box where there is no log")}, {},
+        shapeNames),
+    row<&P::load, &L::dimensions>(
+        "load_dimensions",
+        {TR("Load"), TR("Sizes"),
+         TR("detected: learnt at first and then held, or locked to the sizes above (x is a log's "
+            "length)")},
+        {}, dimensionNames),
+    row<&P::load, &L::learnTime>(
+        "load_learn_time",
+        {TR("Load"), TR("Learning time"), TR("detected: over which the sizes are learnt"), "s"},
+        {0, 60, 0.5}),
+    row<&P::load, &L::maxSize>(
+        "load_max_size",
+        {TR("Load"), TR("Largest size"), TR("detected: what is longer is no load"), "m"},
+        {0.05, 100, 0.5}),
+    row<&P::load, &L::toolSize>("load_tool_size",
+                                {TR("Load"), TR("Tool size"),
+                                 TR("detected: what is nearer than half of this to the tool point "
+                                    "is the tool, not the load"),
+                                 "m"},
+                                {0, 20, 0.1}),
+    row<&P::load, &L::margin>(
+        "load_margin",
+        {TR("Load"), TR("Margin"), TR("detected: points so near to the load are taken out with it"),
+         "m"},
+        {0, 10, 0.05}),
     row<&P::tracking, &TP::tracker>(
         "tracker",
         {TR("Tracking"), TR("Tracker"),
@@ -362,6 +352,11 @@ constexpr auto table = std::to_array<ParameterInfo>({
         {TR("Validity"), TR("Scene motion"),
          TR("If a larger share of the picture moves, the camera moves; 1 is off")},
         {0.05, 1, 0.05}),
+    row<&P::validity, &V::maxLoadAge>(
+        "max_load_age",
+        {TR("Validity"), TR("Load age"),
+         TR("Longer without seeing the load that is detected, and there is no distance"), "s"},
+        {0, 60, 0.1}),
     row<&P::validity, &V::minObserved>(
         "min_observed",
         {TR("Validity"), TR("Smallest observed share"),
@@ -371,36 +366,9 @@ constexpr auto table = std::to_array<ParameterInfo>({
 #undef TR
 
 // Every field of Parameters has a row: as many rows as leaves, and no key twice.
-struct AnyLeaf {
-  template <class T>
-  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) constexpr operator T() const {
-    return T{};
-  }  // NOLINT: implicit on purpose
-};
-template <class T, class... Leaves>
-consteval std::size_t leafCount() {
-  if constexpr (requires { T{Leaves{}..., AnyLeaf{}}; }) {
-    return leafCount<T, Leaves..., AnyLeaf>();
-  } else {
-    return sizeof...(Leaves);
-  }
-}
-consteval bool keysUnique() {
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (table[i].key == table[j].key) return false;
-    }
-  }
-  return true;
-}
-consteval bool defaultsInRange() {
-  const Parameters defaults;
-  return std::all_of(table.begin(), table.end(),
-                     [&](const auto& info) { return inRange(info, info.get(defaults)); });
-}
 static_assert(leafCount<Parameters>() == table.size(), "a field of Parameters has no row");
-static_assert(keysUnique(), "two rows have the same key");
-static_assert(defaultsInRange(), "a default lies outside its range");
+static_assert(keysUnique(table), "two rows have the same key");
+static_assert(defaultsInRange(table), "a default lies outside its range");
 
 }  // namespace
 

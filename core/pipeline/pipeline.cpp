@@ -10,6 +10,8 @@
 #include "collision/observed_share.h"
 #include "collision/ray_clearance.h"
 #include "frame/error.h"
+#include "load/load_detector.h"
+#include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
 #include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
@@ -35,14 +37,23 @@ class StageClock {
 /// Unknown is not clear, even where somebody asks for no share at all.
 constexpr double noShare = 1e-9;
 
-std::optional<OrientedBox> loadOf(const Frame& frame, const LoadParameters& parameters) {
-  if (parameters.source == LoadSource::Manual) return parameters.box();
-  return frame.load;
-}
+/// A quarter of a pixel is what matching leaves uncertain.
+constexpr double matchingNoise = 0.25;
 
-Reason loadFault(const std::optional<OrientedBox>& load, const Bounds& bounds) {
+/// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
+constexpr double depthCameraNoise = 0.0014;
+
+Reason loadReason(const Result& result) {
+  const std::optional<OrientedBox>& load = result.load;
+  const Bounds& bounds = result.parameters.bounds;
+  if (!load && result.parameters.load.source == LoadSource::Detected) return Reason::LoadNotSeen;
   if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
+}
+
+double removedShare(const StaticScene& scene) {
+  const std::size_t all = scene.statics.size() + scene.removed.size() + scene.noise.size();
+  return all > 0 ? static_cast<double>(scene.removed.size()) / static_cast<double>(all) : 0.0;
 }
 
 }  // namespace
@@ -55,6 +66,7 @@ struct Pipeline::State {
   FrameChecks checks;
   EnvironmentModel model;
   bool modelExists = false;
+  LoadFollower loads;
   ExactClearance exact;
   ObservedShare observed;
   Points evidence;  ///< scratch: what the model learns from this frame
@@ -65,6 +77,8 @@ struct Pipeline::State {
 
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
+  /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
+  std::optional<OrientedBox> findLoad(Result& result);
   void updateModel(Result& result);
   Clearance judge(const Result& result, Reason frameFault) const;
   Clearance measure(const OrientedBox& load, const Parameters& parameters) const;
@@ -102,8 +116,11 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.tool = state.tool.locate(*result.cloud, frame->stamp, parameters.tracking);
   clock.lap("tool");
 
-  result.load = loadOf(*frame, parameters.load);
-  result.scene = separateStatic(*result.cloud, result.tool.point, result.load, parameters);
+  const std::optional<OrientedBox> loadVolume = state.findLoad(result);
+  clock.lap("load");
+
+  result.scene = separateStatic(*result.cloud, result.tool.point, loadVolume, parameters);
+  result.removedShare = removedShare(result.scene);
   clock.lap("filter");
 
   if (verdict.modelIsStale) state.modelExists = false;
@@ -160,6 +177,27 @@ std::future<void> Pipeline::State::look(const Result& result) {
                     });
 }
 
+std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
+  const LoadParameters& parameters = result.parameters.load;
+  if (parameters.source != LoadSource::Detected) {
+    loads.reset();
+    result.load = parameters.source == LoadSource::Manual ? parameters.box() : result.frame->load;
+    return result.load;
+  }
+  const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
+  const LoadDetection detection = result.tool.point
+                                      ? detectLoad(*result.cloud, *result.tool.point, noise,
+                                                   result.parameters.bounds, parameters)
+                                      : LoadDetection::refused(LoadFault::NoToolPoint);
+  const auto followed = loads.follow(detection, result.frame->stamp, parameters,
+                                     result.parameters.validity.maxLoadAge);
+  result.load = followed.box;
+  result.loadFault = detection.fault;
+  result.loadAge = followed.age;
+  return followed.box ? std::optional(dynamicVolume(*followed.box, parameters.margin, noise))
+                      : std::nullopt;
+}
+
 void Pipeline::State::updateModel(Result& result) {
   const GridGeometry geometry(result.parameters.bounds, result.parameters.model.resolution);
   if (!modelExists || !(model.geometry() == geometry)) {
@@ -182,7 +220,7 @@ Clearance Pipeline::State::judge(const Result& result, Reason frameFault) const 
   const Parameters& parameters = result.parameters;
   if (frameFault != Reason::None) return Clearance::unknown(frameFault);
   if (result.tool.lost()) return Clearance::unknown(Reason::ToolLost);
-  const Reason fault = loadFault(result.load, parameters.bounds);
+  const Reason fault = loadReason(result);
   if (fault != Reason::None) return Clearance::unknown(fault);
   const auto needed = framesToEnter(parameters.model);
   if (!needed || model.frames() < static_cast<std::size_t>(*needed)) {
@@ -220,7 +258,7 @@ Clearance Pipeline::State::measure(const OrientedBox& load, const Parameters& pa
 std::optional<double> Pipeline::State::depthUncertainty(const Clearance& clearance) const {
   if (!clearance.nearest || depthPerPixel == 0.0) return std::nullopt;
   const double z = clearance.nearest->onEnvironment.z();
-  return 0.25 * z * z * depthPerPixel;
+  return matchingNoise * z * z * depthPerPixel;
 }
 
 std::optional<Approach> Pipeline::State::approach(const Result& result) {
