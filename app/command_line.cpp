@@ -146,48 +146,49 @@ void requireLearner(const CommandLine& line) {
     throw Error("--track", "the tracker manual follows nothing",
                 "Give another --tracker, or --tool U,V.");
   }
+}
 
-  /// Positional arguments are the folders of an evaluation, and nothing else.
-  void readEvaluation(CommandLine & line, const QCommandLineParser& parser) {
-    line.trackers = parser.values(QStringLiteral("tracker"));
-    line.evaluate = parser.isSet(QStringLiteral("evaluate"));
-    const QStringList words = parser.positionalArguments();
-    if (!line.evaluate) {
-      if (words.isEmpty()) return;
-      throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
-                  "Name a recording with --source KIND:PATH; --help lists the kinds.");
-    }
-    const QString what = parser.value(QStringLiteral("evaluate"));
-    if (what != QLatin1String("tracking")) {
-      throw Error("--evaluate", "'" + what.toStdString() + "' cannot be evaluated",
-                  "Write --evaluate tracking FOLDER...");
-    }
-    if (words.isEmpty()) {
-      throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
-    }
-    line.evaluationFolders = words;
+/// Positional arguments are the folders of an evaluation, and nothing else.
+void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
+  line.trackers = parser.values(QStringLiteral("tracker"));
+  line.evaluate = parser.isSet(QStringLiteral("evaluate"));
+  const QStringList words = parser.positionalArguments();
+  if (!line.evaluate) {
+    if (words.isEmpty()) return;
+    throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
+                "Name a recording with --source KIND:PATH; --help lists the kinds.");
   }
+  const QString what = parser.value(QStringLiteral("evaluate"));
+  if (what != QLatin1String("tracking")) {
+    throw Error("--evaluate", "'" + what.toStdString() + "' cannot be evaluated",
+                "Write --evaluate tracking FOLDER...");
+  }
+  if (words.isEmpty()) {
+    throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
+  }
+  line.evaluationFolders = words;
+}
 
-  void readParameters(CommandLine & line, const QCommandLineParser& parser) {
-    if (parser.isSet(QStringLiteral("parameters"))) {
-      line.parameters =
-          loadPreset(parser.value(QStringLiteral("parameters")).toStdString(), line.parameters);
-    }
-    if (parser.isSet(QStringLiteral("load"))) {
-      setLoad(line.parameters, parser.value(QStringLiteral("load")));
-    }
-    for (const QString& setting : parser.values(QStringLiteral("set"))) {
-      const qsizetype equals = setting.indexOf(QLatin1Char('='));
-      if (equals < 1) {
-        throw Error("--set", "'" + setting.toStdString() + "' is not a key, '=' and a value",
-                    "Write --set key=value.");
-      }
-      setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
-                   setting.mid(equals + 1).trimmed().toStdString());
-    }
-    setTracker(line.parameters, parser);
-    validate(line.parameters);
+void readParameters(CommandLine& line, const QCommandLineParser& parser) {
+  if (parser.isSet(QStringLiteral("parameters"))) {
+    line.parameters =
+        loadPreset(parser.value(QStringLiteral("parameters")).toStdString(), line.parameters);
   }
+  if (parser.isSet(QStringLiteral("load"))) {
+    setLoad(line.parameters, parser.value(QStringLiteral("load")));
+  }
+  for (const QString& setting : parser.values(QStringLiteral("set"))) {
+    const qsizetype equals = setting.indexOf(QLatin1Char('='));
+    if (equals < 1) {
+      throw Error("--set", "'" + setting.toStdString() + "' is not a key, '=' and a value",
+                  "Write --set key=value.");
+    }
+    setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
+                 setting.mid(equals + 1).trimmed().toStdString());
+  }
+  setTracker(line.parameters, parser);
+  validate(line.parameters);
+}
 
 }  // namespace
 
