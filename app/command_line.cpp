@@ -8,6 +8,7 @@
 #include "frame/error.h"
 #include "pipeline/parameter_table.h"
 #include "pipeline/presets.h"
+#include "tracking/tracker.h"
 
 namespace boomwatch {
 namespace {
@@ -37,6 +38,13 @@ void addOptions(QCommandLineParser& parser) {
          tr("The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
             "pitch about x, then roll about z, in degrees"));
   option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
+  option("track", "X,Y,W,H",
+         tr("Box of the left image in which the tool is first seen: corner and size in pixels"));
+  option("tracker", "NAME", tr("What follows the tool: tld, cmt, klt, csrt or manual"));
+  option("tracker-model", "FILE",
+         tr("Find the tool by this saved model instead of a box; several are merged"));
+  option("learn", "on|off", tr("Whether the tracker goes on learning what the tool looks like"));
+  option("save-tracker-model", "FILE", tr("Where to save, at the end, what the tracker learnt"));
   parser.addOption(
       QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
   option("version", "", tr("Show the version"));
@@ -72,6 +80,62 @@ int wholeNumber(const QString& option, const QString& value, int minimum) {
               "Give one.");
 }
 
+void setTracker(Parameters& parameters, const QCommandLineParser& parser) {
+  if (parser.isSet(QStringLiteral("tracker"))) {
+    setParameter(parameters, "tracker", parser.value(QStringLiteral("tracker")).toStdString());
+  }
+  if (!parser.isSet(QStringLiteral("learn"))) return;
+  const QString learn = parser.value(QStringLiteral("learn"));
+  if (learn != QLatin1String("on") && learn != QLatin1String("off")) {
+    throw Error("--learn", "'" + learn.toStdString() + "' is neither on nor off",
+                "Give one of them.");
+  }
+  parameters.tracking.learn = learn == QLatin1String("on");
+}
+
+/// Tool and tracker: where they begin, and what is kept of them.
+void readTool(CommandLine& line, const QCommandLineParser& parser) {
+  const auto numbers = [&](const QString& name, qsizetype count, int smallestSize) {
+    const QString option = QStringLiteral("--") + name;
+    const QStringList parts = fields(option, parser.value(name), count);
+    std::vector<int> values;
+    for (const QString& part : parts) {
+      values.push_back(wholeNumber(option, part, values.size() < 2 ? 0 : smallestSize));
+    }
+    return values;
+  };
+  if (parser.isSet(QStringLiteral("tool"))) {
+    const auto pixel = numbers(QStringLiteral("tool"), 2, 0);
+    line.tool = cv::Point(pixel[0], pixel[1]);
+  }
+  if (parser.isSet(QStringLiteral("track"))) {
+    const auto box = numbers(QStringLiteral("track"), 4, static_cast<int>(Tracker::smallestSide));
+    line.track = cv::Rect(box[0], box[1], box[2], box[3]);
+  }
+  for (const QString& file : parser.values(QStringLiteral("tracker-model"))) {
+    line.trackerModels.push_back(file.toStdString());
+  }
+  line.saveTrackerModel = parser.value(QStringLiteral("save-tracker-model")).toStdString();
+  const int beginnings = (line.tool ? 1 : 0) + (line.track ? 1 : 0) + !line.trackerModels.empty();
+  if (beginnings > 1) {
+    throw Error("--tool, --track and --tracker-model", "each says where the tool is",
+                "Give one of them.");
+  }
+}
+
+/// What cannot come to anything is said before the run, not after it.
+void requireLearner(const CommandLine& line) {
+  const bool learns = line.parameters.tracking.tracker == TrackerKind::Tld;
+  if (!learns && !(line.trackerModels.empty() && line.saveTrackerModel.empty())) {
+    throw Error("--tracker-model and --save-tracker-model", "only tld keeps a model of the tool",
+                "Leave them out, or give --tracker tld.");
+  }
+  if (line.parameters.tracking.tracker == TrackerKind::Manual && line.track) {
+    throw Error("--track", "the tracker manual follows nothing",
+                "Give another --tracker, or --tool U,V.");
+  }
+}
+
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
   if (parser.isSet(QStringLiteral("parameters"))) {
     line.parameters =
@@ -89,9 +153,7 @@ void readParameters(CommandLine& line, const QCommandLineParser& parser) {
     setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
                  setting.mid(equals + 1).trimmed().toStdString());
   }
-  line.parametersGiven = parser.isSet(QStringLiteral("parameters")) ||
-                         parser.isSet(QStringLiteral("load")) ||
-                         parser.isSet(QStringLiteral("set"));
+  setTracker(line.parameters, parser);
   validate(line.parameters);
 }
 
@@ -122,13 +184,9 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     line.frames = static_cast<std::size_t>(
         wholeNumber(QStringLiteral("--frames"), parser.value(QStringLiteral("frames")), 1));
   }
-  if (parser.isSet(QStringLiteral("tool"))) {
-    const QString value = parser.value(QStringLiteral("tool"));
-    const QStringList pixel = fields(QStringLiteral("--tool"), value, 2);
-    line.tool = cv::Point(wholeNumber(QStringLiteral("--tool"), pixel[0], 0),
-                          wholeNumber(QStringLiteral("--tool"), pixel[1], 0));
-  }
+  readTool(line, parser);
   readParameters(line, parser);
+  requireLearner(line);
   return line;
 }
 

@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "pipeline/parameters.h"
 #include "sources/frame_source.h"
@@ -19,8 +21,10 @@ struct CommandLine {
   QString output;                     ///< JSON lines; empty or "-": standard output
   QString screenshot;                 ///< PNG of the whole window after the last frame
   Parameters parameters;
-  bool parametersGiven = false;  ///< any of --parameters, --set, --load
   std::optional<cv::Point> tool;
+  std::optional<cv::Rect> track;           ///< the tool's box in the first picture
+  std::vector<std::string> trackerModels;  ///< files; several are merged
+  std::string saveTrackerModel;            ///< empty: nowhere
   bool help = false;
   bool version = false;
 };

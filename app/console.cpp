@@ -49,7 +49,7 @@ class ConsoleRun {
       m_faulty = true;
     });
     QObject::connect(&m_window, &MainWindow::finished, &m_window, [this] { finish(); });
-    if (m_line.tool) m_worker.setToolPixel(m_line.tool);
+    orderTool();
     if (m_line.frames || !m_line.screenshot.isEmpty()) {
       m_worker.command(StopAfterCommand{m_line.frames.value_or(wholeRecording)});
     }
@@ -60,6 +60,14 @@ class ConsoleRun {
   }
 
  private:
+  void orderTool() {
+    if (m_line.tool) m_worker.command(ToolCommand{PickTool{*m_line.tool}});
+    if (m_line.track) m_worker.command(ToolCommand{TrackBox{*m_line.track}});
+    if (!m_line.trackerModels.empty()) {
+      m_worker.command(LoadToolModelCommand{m_line.trackerModels});
+    }
+  }
+
   void open() {
     if (!m_line.source.isEmpty()) {
       m_window.openSource(m_line.source, m_line.sourceOptions);

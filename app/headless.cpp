@@ -8,6 +8,7 @@
 #include "frame/error.h"
 #include "pipeline/pipeline.h"
 #include "result_json.h"
+#include "tool_models.h"
 
 namespace boomwatch {
 namespace {
@@ -50,7 +51,10 @@ class HeadlessRun {
         m_source(openSource(line.source.isEmpty() ? "demo:cylinders" : line.source.toStdString(),
                             line.sourceOptions)),
         m_writer(line.output) {
-    m_pipeline.setToolPixel(line.tool);
+    if (line.tool) m_pipeline.order(PickTool{*line.tool});
+    if (line.track) m_pipeline.order(TrackBox{*line.track});
+    if (!line.trackerModels.empty())
+      m_pipeline.order(TrackModel{loadToolModels(line.trackerModels)});
     for (const ParameterWarning& warning : warningsFor(line.parameters)) complain(warning.message);
   }
 
@@ -64,6 +68,7 @@ class HeadlessRun {
     if (!m_last) fault("the source gave no frame");
     if (!m_line.frames) sayIfCutShort(frames);
     keepModel();
+    saveTracker();
     return {m_faulty ? 1 : 0, m_last};
   }
 
@@ -103,6 +108,8 @@ class HeadlessRun {
 
   void publish(Result result) {
     if (!result.message.empty() && result.frame) fault(result.message);
+    if (!result.tool.fault.empty()) fault(result.tool.fault);
+    if (result.tool.model) m_toolModel = result.tool.model;
     m_writer.write(toJsonLine(result));
     m_last = std::make_shared<Result>(std::move(result));
   }
@@ -127,11 +134,26 @@ class HeadlessRun {
     }
   }
 
+  void saveTracker() {
+    if (m_line.saveTrackerModel.empty()) return;
+    if (!m_toolModel) {
+      fault(m_line.saveTrackerModel +
+            ": not written, for no tracker has learnt anything. Give --track or --tracker-model.");
+      return;
+    }
+    try {
+      saveToolModel(*m_toolModel, m_line.saveTrackerModel);
+    } catch (const Error& error) {
+      fault(error.what());
+    }
+  }
+
   const CommandLine& m_line;
   std::unique_ptr<FrameSource> m_source;
   LineWriter m_writer;
   Pipeline m_pipeline;
   std::shared_ptr<Result> m_last;
+  std::shared_ptr<const ToolModel> m_toolModel;  ///< the last there was
   double m_silence = 0.0;
   bool m_faulty = false;
 };

@@ -138,8 +138,10 @@ void MainWindow::wireMenus() {
 
 void MainWindow::wirePanes() {
   connect(m_panes.parameters, &ParameterDock::parametersChanged, this, &MainWindow::setParameters);
-  connect(m_panes.camera, &CameraView::toolPicked, this, [this](QPoint pixel) { setTool(pixel); });
-  connect(m_panes.camera, &CameraView::toolCleared, this, [this] { setTool(std::nullopt); });
+  connect(m_panes.camera, &CameraView::toolPicked, this, [this](QPoint pixel) {
+    orderTool(PickTool{{pixel.x(), pixel.y()}});
+  });
+  connect(m_panes.camera, &CameraView::toolCleared, this, [this] { orderTool(ForgetTool{}); });
 }
 
 void MainWindow::send(const Command& command) {
@@ -216,6 +218,9 @@ void MainWindow::showNotice(const Notice& notice) {
     case Notice::Kind::Lost:
       m_panes.state->showFault(tr("Lost: %1").arg(notice.text));
       break;
+    case Notice::Kind::Tool:
+      m_panes.state->showFault(tr("Tool: %1").arg(notice.text));
+      break;
     case Notice::Kind::Parameters:
       m_panes.state->showFault(tr("Parameters not in force: %1").arg(notice.text));
       break;
@@ -260,9 +265,8 @@ void MainWindow::setParameters(const Parameters& parameters) {
   refreshState();
 }
 
-void MainWindow::setTool(std::optional<QPoint> pixel) {
-  if (!m_worker) return;
-  m_worker->setToolPixel(pixel ? std::optional(cv::Point(pixel->x(), pixel->y())) : std::nullopt);
+void MainWindow::orderTool(const ToolOrder& order) {
+  send(ToolCommand{order});
   if (m_status.player && !playing()) {
     m_panes.state->showNotice(tr("The tool is set with the next frame."));
   }

@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow {
   void askForSource(SourceKind kind);
   void askForSnapshot();
   void setParameters(const Parameters& parameters);
-  void setTool(std::optional<QPoint> pixel);
+  void orderTool(const ToolOrder& order);
   void applyColours();
   void chooseTheme();
   void resetLayout();

@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <chrono>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +11,7 @@
 #include "pipeline/parameters.h"
 #include "pipeline/warning.h"
 #include "sources/player.h"
+#include "tracking/tool_tracking.h"
 
 namespace boomwatch {
 
@@ -37,14 +37,26 @@ struct SpeedCommand {
 struct StopAfterCommand {
   std::size_t frames = 1;
 };
+struct ToolCommand {
+  ToolOrder order;
+};
+/// The tracker begins with the model of these files; several are merged.
+struct LoadToolModelCommand {
+  std::vector<std::string> files;
+  bool withCurrent = false;  ///< and merged with what the tracker knows by now
+};
+/// What the tracker knows by now.
+struct SaveToolModelCommand {
+  std::string file;
+};
 using Command = std::variant<OpenCommand, PlayCommand, PauseCommand, StepCommand, SeekCommand,
-                             LoopCommand, SpeedCommand, StopAfterCommand>;
+                             LoopCommand, SpeedCommand, StopAfterCommand, ToolCommand,
+                             LoadToolModelCommand, SaveToolModelCommand>;
 
 /// To the worker. Settings: the latest wins. Commands: all of them, in order.
 struct Orders {
   bool stop = false;
   std::optional<Parameters> parameters;
-  std::optional<std::optional<cv::Point>> tool;
   std::optional<DisplayOptions> options;
   std::vector<Command> commands;
 };
@@ -63,6 +75,7 @@ struct Notice {
     OpenFailed,  ///< the source named could not be opened; the old one goes on
     Frame,       ///< one frame could not be used
     Lost,        ///< a live source is gone
+    Tool,        ///< what was asked of the tracker could not be done
     Parameters,  ///< the parameters contradict each other; the last good ones stay in force
   };
   Kind kind = Kind::Frame;

@@ -17,6 +17,24 @@ QJsonValue number(const std::optional<double>& value) {
 
 QJsonArray point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
+QJsonValue toolObject(const ToolTrack& tool) {
+  const QJsonValue none;
+  const auto vector = [&](const std::optional<Eigen::Vector3f>& v) {
+    return v ? QJsonValue(point(v->cast<double>())) : none;
+  };
+  const auto& box = tool.box;
+  return QJsonObject{
+      {"state", text(toString(tool.state))},
+      {"box", box ? QJsonValue(QJsonArray{box->x, box->y, box->width, box->height}) : none},
+      {"confidence", box ? QJsonValue(tool.confidence) : none},
+      {"pixel", tool.pixel ? QJsonValue(QJsonArray{tool.pixel->x, tool.pixel->y}) : none},
+      {"point", vector(tool.point)},
+      {"velocity", vector(tool.velocity)},
+      {"age_s", number(tool.age)},
+      {"learning", text(toString(tool.learning))},
+  };
+}
+
 }  // namespace
 
 QByteArray toJsonLine(const Result& result) {
@@ -47,6 +65,7 @@ QByteArray toJsonLine(const Result& result) {
       {"fill", result.cloud ? QJsonValue(result.fill) : none},
       {"truth_m",
        result.frame && result.frame->truth ? QJsonValue(result.frame->truth->distance) : none},
+      {"tool", result.frame ? toolObject(result.tool) : none},
       {"message", QString::fromStdString(result.message)},
       {"timings_ms", timings},
   };

@@ -8,7 +8,9 @@ namespace boomwatch {
 
 /// One JSON object on one line, without the line end: frame, stamp, state, reason, distance_m,
 /// nearest, on_load, part, uncertainty_m, depth_uncertainty_m, level, observed_share, fill,
-/// truth_m, message, timings_ms. What is not known is null.
+/// truth_m, tool, message, timings_ms. What is not known is null. `tool` is null without a frame,
+/// and else an object: state, box (x, y, width, height), confidence, pixel, point, velocity, age_s,
+/// learning.
 QByteArray toJsonLine(const Result& result);
 
 }  // namespace boomwatch

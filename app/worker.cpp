@@ -37,10 +37,6 @@ void Worker::setParameters(const Parameters& parameters) {
   m_orders.post([&](Orders& orders) { orders.parameters = parameters; });
 }
 
-void Worker::setToolPixel(std::optional<cv::Point> pixel) {
-  m_orders.post([&](Orders& orders) { orders.tool = pixel; });
-}
-
 void Worker::setDisplayOptions(const DisplayOptions& options) {
   m_orders.post([&](Orders& orders) { orders.options = options; });
 }

@@ -23,7 +23,6 @@ class Worker : public QObject {
 
   void command(const Command& command);
   void setParameters(const Parameters& parameters);
-  void setToolPixel(std::optional<cv::Point> pixel);
   void setDisplayOptions(const DisplayOptions& options);
 
   /// Everything since it was last taken.

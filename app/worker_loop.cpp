@@ -1,10 +1,12 @@
 #include "worker_loop.h"
 
 #include <algorithm>
+#include <array>
 #include <thread>
 #include <utility>
 
 #include "frame/error.h"
+#include "tool_models.h"
 
 namespace boomwatch {
 namespace {
@@ -44,7 +46,6 @@ std::optional<WorkerLoop::TimePoint> WorkerLoop::wakeUpTime() const {
 
 void WorkerLoop::obey(const Orders& orders) {
   if (orders.parameters) adoptParameters(*orders.parameters);
-  if (orders.tool) m_pipeline.setToolPixel(*orders.tool);
   for (const Command& command : orders.commands) {
     std::visit([this](const auto& known) { obey(known); }, command);
   }
@@ -101,6 +102,38 @@ void WorkerLoop::obey(const StopAfterCommand& command) {
   m_framesLeft = std::max<std::size_t>(1, command.frames);
 }
 
+void WorkerLoop::obey(const ToolCommand& command) {
+  if (!m_player) m_firstTool = command.order;
+  m_pipeline.order(command.order);
+}
+
+void WorkerLoop::obey(const LoadToolModelCommand& command) {
+  try {
+    TrackModel order{loadToolModels(command.files)};
+    const auto current = m_last ? m_last->tool.model : nullptr;
+    if (command.withCurrent && current) {
+      const std::array both{*current, *order.model};
+      order.model = std::make_shared<const ToolModel>(mergeToolModels(both));
+    }
+    obey(ToolCommand{order});
+  } catch (const std::exception& error) {
+    tell(Notice::Kind::Tool, error.what());
+  }
+}
+
+void WorkerLoop::obey(const SaveToolModelCommand& command) {
+  try {
+    const auto model = m_last ? m_last->tool.model : nullptr;
+    if (!model) {
+      throw Error(command.file, "the tracker has learnt nothing that could be saved",
+                  "Start tld with a box or a model first.");
+    }
+    saveToolModel(*model, command.file);
+  } catch (const std::exception& error) {
+    tell(Notice::Kind::Tool, error.what());
+  }
+}
+
 void WorkerLoop::adoptParameters(const Parameters& parameters) {
   try {
     validate(parameters);
@@ -127,6 +160,7 @@ void WorkerLoop::startPlaying(std::unique_ptr<FrameSource> source) {
   m_player->setLoop(m_loop);
   m_player->setSpeed(m_speed);
   m_pipeline.reset();
+  if (m_firstTool) m_pipeline.order(*std::exchange(m_firstTool, std::nullopt));
   m_last.reset();
   m_stalled = false;
   obey(PlayCommand{});
@@ -171,6 +205,7 @@ void WorkerLoop::process(const FramePtr& frame) {
       result->model = std::make_shared<const EnvironmentModel>(m_pipeline.model());
     }
     if (!result->message.empty()) tell(Notice::Kind::Frame, result->message);
+    if (!result->tool.fault.empty()) tell(Notice::Kind::Tool, result->tool.fault);
     publish(std::move(result));
   } catch (const std::exception& error) {
     publishNoFrame(Reason::UnreadableFrame, error.what());

@@ -40,6 +40,9 @@ class WorkerLoop {
   void obey(const LoopCommand& command);
   void obey(const SpeedCommand& command);
   void obey(const StopAfterCommand& command);
+  void obey(const ToolCommand& command);
+  void obey(const LoadToolModelCommand& command);
+  void obey(const SaveToolModelCommand& command);
   void adoptParameters(const Parameters& parameters);
   void adoptOpened();
   void startPlaying(std::unique_ptr<FrameSource> source);
@@ -72,6 +75,7 @@ class WorkerLoop {
   bool m_loop = false;
   double m_speed = 1.0;
   std::optional<std::size_t> m_framesLeft;
+  std::optional<ToolOrder> m_firstTool;  ///< given before anything was open
   RateMeter m_rate;
   TimePoint m_readAt;   ///< of the frame that is being processed
   TimePoint m_aliveAt;  ///< when a frame last came, or when it began to be waited for

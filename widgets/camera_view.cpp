@@ -83,7 +83,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.setClipRect(pictureRect());
   drawLoad(painter);
   drawNearest(painter);
-  if (const auto& tool = m_display->result->toolPixel) {
+  if (const auto& tool = m_display->result->tool.pixel) {
     drawCrosshair(painter, toWidget(QPointF(tool->x, tool->y)), theme.tool, theme.outline);
   }
   drawCursor(painter);

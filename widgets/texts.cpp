@@ -26,6 +26,8 @@ QString reasonTitle(Reason reason) {
       return Texts::tr("Too little depth");
     case Reason::SceneMoves:
       return Texts::tr("Camera moves");
+    case Reason::ToolLost:
+      return Texts::tr("Tool lost");
     case Reason::NoLoad:
       return Texts::tr("No load");
     case Reason::LoadOutside:
@@ -53,6 +55,10 @@ QString reasonText(Reason reason) {
       return Texts::tr("Too few pixels have a depth. Check light, lenses and calibration.");
     case Reason::SceneMoves:
       return Texts::tr("The picture moves as a whole. Hold the camera still and wait.");
+    case Reason::ToolLost:
+      return Texts::tr(
+          "Boom and load are not taken out of the cloud. Bring the tool into sight, or draw its "
+          "box anew.");
     case Reason::NoLoad:
       return Texts::tr("Nobody has said where the load is. Set it among the parameters.");
     case Reason::LoadOutside:
@@ -84,6 +90,7 @@ QString levelText(WarningLevel level) {
 QString stageText(std::string_view stage) {
   if (stage == "stereo") return Texts::tr("stereo");
   if (stage == "checks") return Texts::tr("checks");
+  if (stage == "tool") return Texts::tr("tool");
   if (stage == "filter") return Texts::tr("filter");
   if (stage == "model") return Texts::tr("model");
   if (stage == "clearance") return Texts::tr("clearance");

@@ -16,6 +16,8 @@ std::string_view toString(Reason reason) {
       return "few_depth_pixels";
     case Reason::SceneMoves:
       return "scene_moves";
+    case Reason::ToolLost:
+      return "tool_lost";
     case Reason::NoLoad:
       return "no_load";
     case Reason::LoadOutside:

@@ -15,6 +15,7 @@ enum class Reason {
   IdenticalFrames,  ///< the source repeats one picture: a pulled cable, a frozen camera
   FewDepthPixels,   ///< less than min_fill of the cloud was measured
   SceneMoves,       ///< the picture moves as a whole: the camera is not still
+  ToolLost,         ///< a tracker runs, and has not known for max_tool_age where the tool is
   NoLoad,           ///< nobody said where the load is
   LoadOutside,      ///< the load is not inside the bounds
   NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)

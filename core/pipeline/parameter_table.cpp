@@ -12,6 +12,8 @@ constexpr std::array<std::string_view, 2> matcherNames{"sgbm", "bm"};
 constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "radius"};
 constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
 constexpr std::array<std::string_view, 2> loadNames{"scene", "manual"};
+constexpr std::array<std::string_view, 5> trackerNames{"manual", "tld", "cmt", "klt", "csrt"};
+constexpr std::array<std::string_view, 2> toolPointNames{"right", "near"};
 
 struct Range {
   double minimum = 0.0;
@@ -62,6 +64,7 @@ using C = ClearanceParameters;
 using W = WarningParameters;
 using S = StereoParameters;
 using L = LoadParameters;
+using TP = TrackingParameters;
 using V = ValidityParameters;
 constexpr Range coordinate{-1000, 1000, 0.1};
 constexpr Range angle{-180, 180, 1};
@@ -185,6 +188,38 @@ constexpr auto table = std::to_array<ParameterInfo>({
                              {TR("Load"), TR("Pitch"), TR("Turn about x, second"), "°"}, angle),
     row<&P::load, &L::roll>("load_roll", {TR("Load"), TR("Roll"), TR("Turn about z, third"), "°"},
                             angle),
+    row<&P::tracking, &TP::tracker>(
+        "tracker",
+        {TR("Tracking"), TR("Tracker"),
+         TR("tld: learns, finds again, can be saved; cmt: turns and grows with the tool; klt and "
+            "csrt: follow only; manual: the click stays where it is")},
+        {}, trackerNames),
+    row<&P::tracking, &TP::learn>(
+        "learn", {TR("Tracking"), TR("Learn"),
+                  TR("tld: go on learning what the tool looks like; off: only what is known")}),
+    row<&P::tracking, &TP::toolPoint>(
+        "tool_point",
+        {TR("Tracking"), TR("Tool point"),
+         TR("right: the box's centre or the next measured pixel on its right; near: what is near "
+            "in the middle of the box, for a grapple that can be seen through")},
+        {}, toolPointNames),
+    row<&P::tracking, &TP::maxToolAge>(
+        "max_tool_age",
+        {TR("Tracking"), TR("Tool age"),
+         TR("Longer without the tool, and there is no distance; until then it is taken to go on "
+            "as it moved"),
+         "s"},
+        {0.05, 10, 0.1}),
+    row<&P::tracking, &TP::noise>(
+        "tool_noise",
+        {TR("Tracking"), TR("Tool noise"),
+         TR("Standard deviation of the tool's point as measured; more is smoother"), "m"},
+        {0.001, 1, 0.01}),
+    row<&P::tracking, &TP::acceleration>(
+        "tool_acceleration",
+        {TR("Tracking"), TR("Tool acceleration"),
+         TR("How quickly the tool changes its velocity; less is smoother"), "m/s²"},
+        {0.1, 100, 0.5}),
     row<&P::filter, &F::zReprojection>(
         "z_reprojection",
         {TR("Filter"), TR("z reprojection"), TR("Move every kept point to this z"), "m"},

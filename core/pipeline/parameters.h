@@ -16,6 +16,8 @@ enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class LoadSource { Scene, Manual };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
+/// Where in the tool's box its 3-D point is looked for; see toolPointIn().
+enum class ToolPointRule { Right, Near };
 
 /// Matching and checking of a rectified pair (method.md section 2). Pixels.
 struct StereoParameters {
@@ -90,6 +92,16 @@ struct LoadParameters {
   }
 };
 
+/// Following the tool in the image and in space (method.md section 3).
+struct TrackingParameters {
+  TrackerKind tracker = TrackerKind::Tld;
+  bool learn = true;  ///< where the tracker can: go on learning what the tool looks like
+  ToolPointRule toolPoint = ToolPointRule::Right;
+  double maxToolAge = 0.5;    ///< seconds without the tool's point after which it counts as lost
+  double noise = 0.05;        ///< metres: standard deviation of the point as measured
+  double acceleration = 2.0;  ///< m/s^2: how quickly the tool changes its velocity
+};
+
 /// When the chain is not to be trusted.
 struct ValidityParameters {
   double maxFrameAge = 0.5;  ///< seconds without a frame
@@ -108,6 +120,7 @@ struct Parameters {
   WarningParameters warning;
   StereoParameters stereo;
   LoadParameters load;
+  TrackingParameters tracking;
   ValidityParameters validity;
 };
 

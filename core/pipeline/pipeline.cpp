@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 
 #include "collision/approach.h"
 #include "collision/exact_clearance.h"
@@ -12,7 +13,6 @@
 #include "pipeline/frame_checks.h"
 #include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
-#include "tracking/tool_point.h"
 
 namespace boomwatch {
 namespace {
@@ -48,7 +48,10 @@ Reason loadFault(const std::optional<OrientedBox>& load, const Bounds& bounds) {
 }  // namespace
 
 struct Pipeline::State {
+  explicit State(const TrackerMaker& maker) : tool(maker) {}
+
   StereoStage stereo;
+  ToolTracking tool;
   FrameChecks checks;
   EnvironmentModel model;
   bool modelExists = false;
@@ -56,12 +59,12 @@ struct Pipeline::State {
   ObservedShare observed;
   Points evidence;  ///< scratch: what the model learns from this frame
   Points hidden;    ///< scratch: what shows neither that something is there nor that nothing is
-  std::optional<cv::Point> toolPixel;
   LoadMotion motion;
   WarningMemory warning;
   double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
-  bool sense(Result& result);
+  bool sense(Result& result, std::future<void>& looking);
+  std::future<void> look(const Result& result);
   void updateModel(Result& result);
   Clearance judge(const Result& result, Reason frameFault) const;
   Clearance measure(const OrientedBox& load, const Parameters& parameters) const;
@@ -70,11 +73,12 @@ struct Pipeline::State {
   void warn(Result& result);
 };
 
-Pipeline::Pipeline() : m_state(std::make_unique<State>()) {}
+Pipeline::Pipeline(TrackerMaker maker)
+    : m_maker(std::move(maker)), m_state(std::make_unique<State>(m_maker)) {}
 Pipeline::~Pipeline() = default;
 
-void Pipeline::setToolPixel(std::optional<cv::Point> pixel) { m_state->toolPixel = pixel; }
-void Pipeline::reset() { m_state = std::make_unique<State>(); }
+void Pipeline::order(const ToolOrder& order) { m_state->tool.order(order); }
+void Pipeline::reset() { m_state = std::make_unique<State>(m_maker); }
 const EnvironmentModel& Pipeline::model() const { return m_state->model; }
 
 Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
@@ -84,24 +88,29 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   StageClock clock(result.timings);
   State& state = *m_state;
 
-  const bool sensed = state.sense(result);
+  std::future<void> looking;  // the tracker at work; it is waited for, whatever happens below
+  const bool sensed = state.sense(result, looking);
   clock.lap("stereo");
   if (!sensed) return result;
 
   const auto verdict =
       state.checks.examine(frame, result.image, *result.cloud, parameters.validity);
   result.fill = verdict.fill;
-  result.toolPixel = state.toolPixel;
-  if (state.toolPixel) result.toolPoint = toolPointAt(*result.cloud, *state.toolPixel);
-  result.load = loadOf(*frame, parameters.load);
   clock.lap("checks");
 
-  result.scene = separateStatic(*result.cloud, result.toolPoint, result.load, parameters);
+  if (looking.valid()) looking.get();
+  result.tool = state.tool.locate(*result.cloud, frame->stamp, parameters.tracking);
+  clock.lap("tool");
+
+  result.load = loadOf(*frame, parameters.load);
+  result.scene = separateStatic(*result.cloud, result.tool.point, result.load, parameters);
   clock.lap("filter");
 
   if (verdict.modelIsStale) state.modelExists = false;
-  // A frame that is no evidence of anything must not teach the model, nor make it forget.
-  if (verdict.reason == Reason::None) state.updateModel(result);
+  // A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
+  // one in which the boom is taken for a part of the surroundings.
+  const bool isEvidence = verdict.reason == Reason::None && !result.tool.lost();
+  if (isEvidence) state.updateModel(result);
   clock.lap("model");
 
   result.clearance = state.judge(result, verdict.reason);
@@ -113,19 +122,24 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
 }
 
 /// Fills image and cloud. False, with the reason in `message`, when the frame cannot be used.
-bool Pipeline::State::sense(Result& result) {
+bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
   const Frame& frame = *result.frame;
   depthPerPixel = 0.0;
   if (!frame.rig) {
     result.image = frame.left;
     result.cloud = frame.cloud;
-    if (!result.cloud) result.message = "The frame holds neither a cloud nor a stereo pair.";
-    return result.cloud != nullptr;
+    if (!result.cloud) {
+      result.message = "The frame holds neither a cloud nor a stereo pair.";
+      return false;
+    }
+    looking = look(result);
+    return true;
   }
   try {
-    StereoResult stereoResult =
-        stereo.process(frame.left, frame.right, *frame.rig, result.parameters.stereo);
-    result.image = stereoResult.left;
+    const RectifiedPair pair = stereo.rectify(frame.left, frame.right, *frame.rig);
+    result.image = pair.left;
+    looking = look(result);
+    StereoResult stereoResult = stereo.match(pair, result.parameters.stereo);
     result.cloud = stereoResult.cloud;
     depthPerPixel = 1.0 / (stereoResult.focalLength * stereoResult.baseline);
     return true;
@@ -133,6 +147,15 @@ bool Pipeline::State::sense(Result& result) {
     result.message = fault.what();
     return false;
   }
+}
+
+/// The tracker and the stereo matcher need only the picture: one works while the other does.
+std::future<void> Pipeline::State::look(const Result& result) {
+  if (!tool.needsImage()) return {};
+  return std::async(std::launch::async,
+                    [this, image = result.image, tracking = result.parameters.tracking] {
+                      tool.look(image, tracking);
+                    });
 }
 
 void Pipeline::State::updateModel(Result& result) {
@@ -156,6 +179,7 @@ void Pipeline::State::updateModel(Result& result) {
 Clearance Pipeline::State::judge(const Result& result, Reason frameFault) const {
   const Parameters& parameters = result.parameters;
   if (frameFault != Reason::None) return Clearance::unknown(frameFault);
+  if (result.tool.lost()) return Clearance::unknown(Reason::ToolLost);
   const Reason fault = loadFault(result.load, parameters.bounds);
   if (fault != Reason::None) return Clearance::unknown(fault);
   const auto needed = framesToEnter(parameters.model);

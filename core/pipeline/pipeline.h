@@ -4,21 +4,24 @@
 
 #include "pipeline/parameters.h"
 #include "pipeline/result.h"
+#include "tracking/tool_tracking.h"
 
 namespace boomwatch {
 
 /// The whole chain, frame in, clearance out. Used by one thread.
 class Pipeline {
  public:
-  Pipeline();
+  /// `maker` makes the trackers; another one in tests.
+  explicit Pipeline(TrackerMaker maker = makeTracker);
   ~Pipeline();
 
   /// Never throws on what a frame holds: a frame that cannot be used gives a result that says why.
   /// Throws Error when `parameters` contradict each other (see validate).
   Result process(const FramePtr& frame, const Parameters& parameters);
 
-  /// The pixel of the left image at which the operator sees the tool; absent: not known.
-  void setToolPixel(std::optional<cv::Point> pixel);
+  /// What the operator says about the tool; obeyed with the next frame that has a picture. What
+  /// cannot be obeyed is said in Result::tool.
+  void order(const ToolOrder& order);
 
   /// Forgets model, history and tool: another source follows.
   void reset();
@@ -28,6 +31,7 @@ class Pipeline {
 
  private:
   struct State;
+  TrackerMaker m_maker;
   std::unique_ptr<State> m_state;
 };
 

@@ -12,6 +12,7 @@
 #include "frame/clearance.h"
 #include "frame/frame.h"
 #include "pipeline/warning.h"
+#include "tracking/tool_track.h"
 
 namespace boomwatch {
 
@@ -27,8 +28,7 @@ struct Result {
   cv::Mat image;                       ///< left, rectified: the picture the cloud belongs to
   std::shared_ptr<const Cloud> cloud;  ///< organised where the source is; absent with NoFrame
   double fill = 0.0;                   ///< share of the cloud that was measured
-  std::optional<cv::Point> toolPixel;
-  std::optional<Eigen::Vector3f> toolPoint;
+  ToolTrack tool;
   std::optional<OrientedBox> load;
   StaticScene scene;
   Clearance clearance;

@@ -223,8 +223,8 @@ struct StereoStage::Maps {
 StereoStage::StereoStage() = default;
 StereoStage::~StereoStage() = default;
 
-StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
-                                  const StereoParameters& parameters) {
+RectifiedPair StereoStage::rectify(const cv::Mat& left, const cv::Mat& right,
+                                   const StereoRig& rig) {
   checkImages(left, right);
   require(
       rig.imageSize.empty() || rig.imageSize == left.size(), "stereo calibration",
@@ -234,17 +234,17 @@ StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, con
     m_maps = std::make_unique<Maps>(rig, left.size());
     m_smoother.reset();
   }
+  if (rig.rectified) return {left, grey(right)};
+  RectifiedPair pair;
+  cv::remap(left, pair.left, m_maps->leftXy, m_maps->leftWeights, cv::INTER_LINEAR);
+  cv::remap(grey(right), pair.right, m_maps->rightXy, m_maps->rightWeights, cv::INTER_LINEAR);
+  return pair;
+}
+
+StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameters& parameters) {
   StereoResult result;
-  cv::Mat rectifiedRight = grey(right);
-  result.left = left;
-  if (!rig.rectified) {
-    const cv::Mat rightIn = rectifiedRight;
-    rectifiedRight = cv::Mat();
-    result.left = cv::Mat();
-    cv::remap(left, result.left, m_maps->leftXy, m_maps->leftWeights, cv::INTER_LINEAR);
-    cv::remap(rightIn, rectifiedRight, m_maps->rightXy, m_maps->rightWeights, cv::INTER_LINEAR);
-  }
-  const cv::Mat matched = matchDisparity(result.left, rectifiedRight, parameters);
+  result.left = pair.left;
+  const cv::Mat matched = matchDisparity(pair.left, pair.right, parameters);
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
   result.cloud = reproject(result.disparity, m_maps->projection);

@@ -10,6 +10,12 @@
 
 namespace boomwatch {
 
+/// A pair whose rows belong together.
+struct RectifiedPair {
+  cv::Mat left;   ///< CV_8UC1 or CV_8UC3
+  cv::Mat right;  ///< CV_8UC1
+};
+
 /// A rectified left image, its disparities and its organised cloud.
 struct StereoResult {
   cv::Mat left;       ///< CV_8UC1 or CV_8UC3, rectified
@@ -33,7 +39,14 @@ class StereoStage {
   /// `left` and `right`: CV_8UC1 or CV_8UC3, equal size. Throws Error when the pair does not fit
   /// the rig or the parameters cannot be used.
   StereoResult process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
-                       const StereoParameters& parameters);
+                       const StereoParameters& parameters) {
+    return match(rectify(left, right, rig), parameters);
+  }
+
+  /// The first half of process(): whoever needs only the picture need not wait for the second.
+  RectifiedPair rectify(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig);
+  /// The second half, of what rectify() gave last; it must have.
+  StereoResult match(const RectifiedPair& pair, const StereoParameters& parameters);
 
  private:
   struct Maps;

@@ -325,10 +325,10 @@ class TestWorker : public QObject {
     Reader reader(worker);
     worker.command(OpenCommand{"fake", {}});
     QTRY_VERIFY(reader.frames > 0);
-    worker.setToolPixel(cv::Point(10, 20));
-    QTRY_VERIFY(reader.display->result->toolPixel == std::optional(cv::Point(10, 20)));
-    worker.setToolPixel(std::nullopt);
-    QTRY_VERIFY(!reader.display->result->toolPixel);
+    worker.command(ToolCommand{PickTool{{10, 20}}});
+    QTRY_VERIFY(reader.display->result->tool.pixel == std::optional(cv::Point(10, 20)));
+    worker.command(ToolCommand{ForgetTool{}});
+    QTRY_VERIFY(!reader.display->result->tool.pixel);
   }
 };
 

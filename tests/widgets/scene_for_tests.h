@@ -74,7 +74,7 @@ inline std::shared_ptr<Result> makeResult() {
   result->load =
       OrientedBox{{0.4, 0.2, 3.8}, {2.0, 0.4, 0.4}, rotationFromYawPitchRoll(0.2, 0.0, 0.3)};
   result->scene.removed = {{0.4F, 0.2F, 3.7F}, {0.5F, 0.2F, 3.7F}};
-  result->toolPixel = cv::Point(300, 200);
+  result->tool.pixel = cv::Point(300, 200);
   result->model = makeModel(*result->cloud, result->parameters);
   Nearest nearest;
   nearest.distance = 0.7;

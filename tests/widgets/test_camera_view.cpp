@@ -129,7 +129,7 @@ void TestCameraView::theLoadIsDrawnWhereThePinholePutsIt() {
   auto result = testing::makeResult();
   result->load = OrientedBox{{0, 0, 4}, {2, 1, 0.5}, Eigen::Matrix3d::Identity()};
   result->clearance = Clearance::unknown(Reason::NoModel);
-  result->toolPixel.reset();
+  result->tool.pixel.reset();
   CameraView view;
   view.resize(768, 576);
   view.setDisplay(makeDisplay(result, {}));
