@@ -18,7 +18,6 @@
 #include <QToolButton>
 #include <QUrl>
 
-#include "help_dialog.h"
 #include "pipeline/pipeline.h"
 #include "source_dialog.h"
 #include "source_guess.h"
@@ -72,6 +71,7 @@ MainWindow::MainWindow(const Parameters& parameters, Worker* worker,
   resize(firstSize);
   m_panes.arrange(this);
   m_panes.parameters->setParameters(parameters);
+  m_panes.tracking->setParameters(parameters);
   m_rebuild.want(parameters);
   wire();
   restore();
@@ -93,55 +93,6 @@ void MainWindow::makeToolBars() {
   controls->addAction(m_menus.help);
   addToolBarBreak();
   addBar(this, "state", tr("State"))->addWidget(m_panes.state);
-}
-
-void MainWindow::wire() {
-  wirePlayer();
-  wireMenus();
-  wirePanes();
-  connect(&m_watch, &QTimer::timeout, this, &MainWindow::watch);
-  m_watch.start(std::chrono::milliseconds(200));
-  if (m_worker) connect(m_worker, &Worker::newsWaiting, this, &MainWindow::takeNews);
-  qApp->installEventFilter(this);
-}
-
-void MainWindow::wirePlayer() {
-  const PlayerBar* player = m_panes.player;
-  connect(player, &PlayerBar::playRequested, this, [this] { send(PlayCommand{}); });
-  connect(player, &PlayerBar::pauseRequested, this, [this] { send(PauseCommand{}); });
-  connect(player, &PlayerBar::stepRequested, this,
-          [this](int direction) { send(StepCommand{direction}); });
-  connect(player, &PlayerBar::seekRequested, this,
-          [this](std::size_t index) { send(SeekCommand{index}); });
-  connect(player, &PlayerBar::loopChanged, this, [this](bool loop) { send(LoopCommand{loop}); });
-  connect(player, &PlayerBar::speedChanged, this,
-          [this](double speed) { send(SpeedCommand{speed}); });
-}
-
-void MainWindow::wireMenus() {
-  connect(m_menus.kinds, &QActionGroup::triggered, this, [this](const QAction* action) {
-    askForSource(static_cast<SourceKind>(action->data().toInt()));
-  });
-  connect(m_menus.demos, &QActionGroup::triggered, this,
-          [this](const QAction* action) { openSource(action->data().toString()); });
-  connect(m_menus.quit, &QAction::triggered, this, &QWidget::close);
-  connect(m_menus.cloudColours, &QActionGroup::triggered, this, &MainWindow::applyColours);
-  connect(m_menus.mapColours, &QActionGroup::triggered, this, &MainWindow::applyColours);
-  connect(m_menus.lightTheme, &QAction::toggled, this, &MainWindow::chooseTheme);
-  connect(m_menus.resetView, &QAction::triggered, m_panes.cloud, &PointCloudView::resetView);
-  connect(m_menus.fitMaps, &QAction::triggered, m_panes.probability, &MapView::fit);
-  connect(m_menus.fitMaps, &QAction::triggered, m_panes.environment, &MapView::fit);
-  connect(m_menus.resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
-  connect(m_menus.snapshot, &QAction::triggered, this, &MainWindow::askForSnapshot);
-  connect(m_menus.help, &QAction::triggered, this, [this] { HelpDialog(this).exec(); });
-}
-
-void MainWindow::wirePanes() {
-  connect(m_panes.parameters, &ParameterDock::parametersChanged, this, &MainWindow::setParameters);
-  connect(m_panes.camera, &CameraView::toolPicked, this, [this](QPoint pixel) {
-    orderTool(PickTool{{pixel.x(), pixel.y()}});
-  });
-  connect(m_panes.camera, &CameraView::toolCleared, this, [this] { orderTool(ForgetTool{}); });
 }
 
 void MainWindow::send(const Command& command) {
@@ -261,6 +212,7 @@ void MainWindow::showNothing() {
 
 void MainWindow::setParameters(const Parameters& parameters) {
   m_rebuild.want(parameters);
+  m_panes.tracking->setParameters(parameters);
   if (m_worker) m_worker->setParameters(parameters);
   refreshState();
 }

@@ -62,6 +62,7 @@ class MainWindow : public QMainWindow {
   void wirePlayer();
   void wireMenus();
   void wirePanes();
+  void wireTracking();
   void takeNews();
   void showNews(const News& news);
   void showNotice(const Notice& notice);

@@ -58,6 +58,7 @@ Panes Panes::make(QMainWindow* window) {
   panes.probability = new MapView(MapKind::Probability);
   panes.environment = new MapView(MapKind::Environment);
   panes.parameters = new ParameterDock(window);
+  panes.tracking = new TrackingDock(window);
   panes.player = new PlayerBar;
   panes.state = new StateLine;
   panes.status = new StatusStrip;
@@ -74,7 +75,7 @@ Panes Panes::make(QMainWindow* window) {
                panes.probability, window),
       makeDock("environment", text(QT_TRANSLATE_NOOP("Panes", "Environment model")),
                panes.environment, window),
-      panes.parameters};
+      panes.tracking, panes.parameters};
   panes.arrange(window);
   return panes;
 }
@@ -82,8 +83,8 @@ Panes Panes::make(QMainWindow* window) {
 void Panes::arrange(QMainWindow* window) const {
   for (QDockWidget* dock : docks) {
     dock->setFloating(false);
-    window->addDockWidget(dock == parameters ? Qt::RightDockWidgetArea : Qt::BottomDockWidgetArea,
-                          dock);
+    const bool right = dock == parameters || dock == tracking;
+    window->addDockWidget(right ? Qt::RightDockWidgetArea : Qt::BottomDockWidgetArea, dock);
     dock->show();
   }
   window->splitDockWidget(docks[0], docks[1], Qt::Horizontal);
@@ -100,6 +101,7 @@ void Panes::setDisplay(const DisplayPtr& display) const {
   camera->setDisplay(display);
   probability->setDisplay(display);
   environment->setDisplay(display);
+  tracking->setDisplay(display);
 }
 
 }  // namespace boomwatch

@@ -11,6 +11,7 @@
 #include "point_cloud_view.h"
 #include "state_line.h"
 #include "status_strip.h"
+#include "tracking_dock.h"
 
 class QDockWidget;
 class QLabel;
@@ -27,6 +28,7 @@ struct Panes {
   MapView* probability = nullptr;
   MapView* environment = nullptr;
   ParameterDock* parameters = nullptr;
+  TrackingDock* tracking = nullptr;
   PlayerBar* player = nullptr;
   StateLine* state = nullptr;
   StatusStrip* status = nullptr;

@@ -1,5 +1,6 @@
 #include "camera_view.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,12 +9,15 @@
 #include <utility>
 
 #include "marks.h"
+#include "tool_overlay.h"
 
 namespace boomwatch {
 namespace {
 
 /// Nearer than this to the camera's plane, nothing can be projected.
 constexpr double nearPlane = 0.05;
+/// Pixels that a box has at first when it is begun from the keyboard.
+constexpr int firstSide = 40;
 
 /// The part of a line in front of the near plane.
 std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> clipped(Eigen::Vector3d a,
@@ -30,14 +34,15 @@ CameraView::CameraView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Camera"));
   setToolTip(
-      tr("Click, or arrows and Enter: this is the tool.\nRight click or Escape: forget it."));
+      tr("Drag a box around the tool, or B, arrows and Enter: follow it.\nClick, or arrows and "
+         "Enter: the tool stays here.\nRight click or Escape: forget it."));
 }
 
 void CameraView::setDisplay(const DisplayPtr& display) {
   m_display = display;
-  if (pictureSize().isEmpty() || (m_cursor && !QRect({}, pictureSize()).contains(*m_cursor))) {
-    m_cursor.reset();
-  }
+  const QRect picture({}, pictureSize());
+  if (m_cursor && !picture.contains(*m_cursor)) m_cursor.reset();
+  if (m_draft && !picture.contains(m_draft->box())) m_draft.reset();
   setCursor(pictureSize().isEmpty() ? Qt::ArrowCursor : Qt::CrossCursor);
   update();
 }
@@ -52,13 +57,17 @@ QRectF CameraView::pictureRect() const {
 }
 
 std::optional<QPoint> CameraView::pixelAt(const QPointF& position) const {
-  const QRectF area = pictureRect();
-  if (area.isEmpty()) return std::nullopt;
-  const QPointF inside = (position - area.topLeft()) * (pictureSize().width() / area.width());
-  const QPoint pixel(static_cast<int>(std::floor(inside.x())),
-                     static_cast<int>(std::floor(inside.y())));
+  if (pictureRect().isEmpty()) return std::nullopt;
+  const QPoint pixel = pixelUnder(position);
   if (!QRect({}, pictureSize()).contains(pixel)) return std::nullopt;
   return pixel;
+}
+
+/// Outside the picture it is a pixel that is not there.
+QPoint CameraView::pixelUnder(const QPointF& position) const {
+  const QRectF area = pictureRect();
+  const QPointF inside = (position - area.topLeft()) * (pictureSize().width() / area.width());
+  return {static_cast<int>(std::floor(inside.x())), static_cast<int>(std::floor(inside.y()))};
 }
 
 QPointF CameraView::toWidget(const QPointF& pixel) const {
@@ -83,10 +92,10 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.setClipRect(pictureRect());
   drawLoad(painter);
   drawNearest(painter);
-  if (const auto& tool = m_display->result->tool.pixel) {
-    drawCrosshair(painter, toWidget(QPointF(tool->x, tool->y)), theme.tool, theme.outline);
-  }
+  const auto map = [this](const QPointF& pixel) { return toWidget(pixel); };
+  drawTool(painter, *m_display, map, theme);
   drawCursor(painter);
+  if (m_draft) drawDraft(painter, m_draft->box(), m_draft->isLargeEnough(), map, theme);
 }
 
 void CameraView::drawLoad(QPainter& painter) const {
@@ -116,20 +125,38 @@ void CameraView::drawNearest(QPainter& painter) const {
 }
 
 void CameraView::drawCursor(QPainter& painter) const {
-  if (!m_cursor || !hasFocus()) return;
+  if (!m_cursor || m_draft || !hasFocus()) return;
   const Theme theme = themeFor(palette());
   drawCrosshair(painter, toWidget(*m_cursor), Qt::white, theme.outline);
 }
 
 void CameraView::mousePressEvent(QMouseEvent* event) {
   m_cursor.reset();
+  m_pressed.reset();
   update();
-  if (event->button() == Qt::RightButton) {
-    emit toolCleared();
-    return;
+  if (event->button() == Qt::RightButton) return giveUp();
+  if (event->button() == Qt::LeftButton && pixelAt(event->position())) {
+    m_pressed = event->position();
   }
-  if (event->button() != Qt::LeftButton) return;
-  if (const auto pixel = pixelAt(event->position())) emit toolPicked(*pixel);
+}
+
+void CameraView::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_pressed || pictureSize().isEmpty()) return;
+  const QPointF way = event->position() - *m_pressed;
+  if (!m_draft && way.manhattanLength() < QApplication::startDragDistance()) return;
+  if (!m_draft) m_draft.emplace(pixelUnder(*m_pressed), pictureSize());
+  m_draft->moveTo(pixelUnder(event->position()));
+  update();
+}
+
+void CameraView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !m_pressed) return;
+  const auto pixel = pixelAt(*std::exchange(m_pressed, std::nullopt));
+  if (m_draft) {
+    confirm();
+  } else if (pixel) {
+    emit toolPicked(*pixel);
+  }
 }
 
 void CameraView::keyPressEvent(QKeyEvent* event) {
@@ -143,30 +170,62 @@ void CameraView::keyPressEvent(QKeyEvent* event) {
       return moveCursor({0, -step});
     case Qt::Key_Down:
       return moveCursor({0, step});
+    case Qt::Key_B:
+      return beginBox();
     case Qt::Key_Return:
     case Qt::Key_Enter:
     case Qt::Key_Space:
-      if (m_cursor) emit toolPicked(*m_cursor);
-      return;
+      return confirm();
     case Qt::Key_Escape:
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-      m_cursor.reset();
-      update();
-      emit toolCleared();
-      return;
+      return giveUp();
     default:
       QWidget::keyPressEvent(event);
   }
 }
 
+void CameraView::beginBox() {
+  setFocus(Qt::OtherFocusReason);
+  const QSize size = pictureSize();
+  if (size.isEmpty()) return;
+  m_draft.emplace(m_cursor.value_or(QPoint(size.width() / 2, size.height() / 2)), size);
+  m_draft->moveBy({firstSide, firstSide});
+  update();
+}
+
+/// The box that is being drawn or, without one, the cursor's pixel is the tool.
+void CameraView::confirm() {
+  update();
+  if (!m_draft) {
+    if (m_cursor) emit toolPicked(*m_cursor);
+    return;
+  }
+  const BoxDraft draft = *std::exchange(m_draft, std::nullopt);
+  if (draft.isLargeEnough()) emit boxDrawn(draft.box());
+}
+
+/// The box that is being drawn goes or, without one, the tool.
+void CameraView::giveUp() {
+  update();
+  m_pressed.reset();
+  if (std::exchange(m_draft, std::nullopt)) return;
+  m_cursor.reset();
+  emit toolCleared();
+}
+
 void CameraView::moveCursor(const QPoint& by) {
   const QSize size = pictureSize();
   if (size.isEmpty()) return;
+  update();
+  if (m_draft) return m_draft->moveBy(by);
   const QPoint moved = m_cursor.value_or(QPoint(size.width() / 2, size.height() / 2)) + by;
   m_cursor = QPoint(std::clamp(moved.x(), 0, size.width() - 1),
                     std::clamp(moved.y(), 0, size.height() - 1));
-  update();
+}
+
+std::optional<QRect> CameraView::draft() const {
+  return m_draft ? std::optional(m_draft->box()) : std::nullopt;
 }
 
 void CameraView::focusOutEvent(QFocusEvent* event) {

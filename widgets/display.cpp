@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "patch_strip.h"
+
 namespace boomwatch {
 namespace {
 
@@ -222,6 +224,7 @@ DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options) {
     display->probability = probabilityImage(*result->model, result->parameters.model, options.maps);
     display->model = modelImage(*result->model, options.maps);
   }
+  if (result->tool.model) display->patches = patchStrip(*result->tool.model);
   const bool matches = pictureMatchesCloud(*result);
   const bool colourable = matches && !display->camera.isNull();
   const bool byDepth = options.cloud == CloudColouring::Image && !colourable;

@@ -56,6 +56,7 @@ struct Display {
   QImage camera;       ///< left image; null if there is none
   QImage probability;  ///< a pixel a cell, transparent where never observed; null without a model
   QImage model;        ///< as probability; nearer is brighter, free is darker than any depth
+  QImage patches;      ///< what the tracker has learnt, see patchStrip(); null if there is nothing
   DrawnCloud cloud;
   CloudColouring cloudColouring = CloudColouring::Depth;  ///< Depth where Image was impossible
   /// Fitted to the organised cloud itself; absent where the cloud is no pinhole's.

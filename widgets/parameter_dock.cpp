@@ -124,6 +124,11 @@ void ParameterDock::setParameters(const Parameters& parameters) {
   showAll();
 }
 
+void ParameterDock::changeParameters(const Parameters& parameters) {
+  setParameters(parameters);
+  apply();
+}
+
 void ParameterDock::showAll() {
   for (const Group& group : m_groups) {
     for (ParameterRow* row : group.rows) row->showValue(m_parameters);
@@ -175,10 +180,7 @@ ParameterRow* ParameterDock::row(std::string_view key) const {
   return nullptr;
 }
 
-void ParameterDock::resetAll() {
-  setParameters({});
-  apply();
-}
+void ParameterDock::resetAll() { changeParameters({}); }
 
 void ParameterDock::search(const QString& text) {
   for (const Group& group : m_groups) {
@@ -206,8 +208,7 @@ void ParameterDock::askWhereToSave() {
 bool ParameterDock::loadPresetFile(const QString& file) {
   try {
     const Parameters loaded = loadPreset(toPath(file));
-    setParameters(loaded);
-    apply();
+    changeParameters(loaded);
     return true;
   } catch (const std::exception& error) {
     setMessage(QString::fromStdString(error.what()));

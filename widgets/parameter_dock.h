@@ -29,6 +29,8 @@ class ParameterDock : public QDockWidget {
   const Parameters& parameters() const { return m_parameters; }
   /// Shows them; emits nothing.
   void setParameters(const Parameters& parameters);
+  /// As if a person had typed them.
+  void changeParameters(const Parameters& parameters);
 
   /// Both say in the dock what went wrong, and return false then.
   bool loadPresetFile(const QString& file);

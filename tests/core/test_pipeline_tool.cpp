@@ -1,0 +1,157 @@
+#include <QtTest>
+
+#include "fake_tracker.h"
+#include "flat_scene.h"
+#include "pipeline/pipeline.h"
+
+using namespace boomwatch;
+using namespace boomwatch::test;
+
+namespace {
+
+/// Names, so that a failed comparison says which.
+template <class Enum>
+QByteArray text(Enum value) {
+  return QByteArray(toString(value).data());
+}
+
+const cv::Rect2d box(70, 70, 20, 20);
+
+/// The wall, and a boom 0.3 m wide that hangs 1 m in front of it in the middle of the picture.
+FramePtr boomFrame(std::uint64_t sequence) {
+  auto frame = std::make_shared<Frame>(*wallFrame(sequence, 3.0F));
+  auto cloud = std::make_shared<Cloud>(*frame->cloud);
+  for (int row = 74; row < 86; ++row) {
+    for (int column = 74; column < 86; ++column) cloud->points[row * 160U + column] *= 2.0F / 3.0F;
+  }
+  frame->cloud = cloud;
+  return frame;
+}
+
+/// A pipeline with fake trackers, fed with boomFrame; a load hangs beside the boom.
+struct Chain {
+  std::shared_ptr<TrackerScript> script = std::make_shared<TrackerScript>();
+  Pipeline pipeline{fakeTrackers(script)};
+  Parameters parameters = smallParameters();
+  std::uint64_t sequence = 0;
+
+  Chain() {
+    hangLoad(parameters, 2.0, 0.2);
+    parameters.load.x = 0.5;
+  }
+  Result frames(int count) {
+    Result last;
+    for (int i = 0; i < count; ++i) last = pipeline.process(boomFrame(sequence++), parameters);
+    return last;
+  }
+};
+
+bool boomIsInModel(const Pipeline& pipeline) {
+  const auto levels = pipeline.model().levels();
+  // At 2 m of 5 m; the wall is at level 153.
+  return std::ranges::any_of(levels, [](int level) { return level > 0 && level < 130; });
+}
+
+Track lostTrack(const cv::Mat&) { return Track::lost(); }
+
+}  // namespace
+
+class TestPipelineTool : public QObject {
+  Q_OBJECT
+ private slots:
+  void withoutAToolEverythingIsAsItWas();
+  void theToolIsTakenOutWhereItIsTracked();
+  void withinTheLimitItIsTakenOutWhereItMustBe();
+  void beyondTheLimitThereIsNoDistance();
+  void aLostToolTeachesNothing();
+  void aBoxThatDoesNotFitIsNoDistance();
+  void aFaultOfTheFrameGoesFirst();
+  void resetForgetsTheTool();
+};
+
+void TestPipelineTool::withoutAToolEverythingIsAsItWas() {
+  Chain chain;
+  const Result result = chain.frames(6);
+  QVERIFY(!result.tool.running());
+  QVERIFY(result.clearance.nearest);
+  QVERIFY(boomIsInModel(chain.pipeline));
+}
+
+void TestPipelineTool::theToolIsTakenOutWhereItIsTracked() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  const Result result = chain.frames(6);
+  QCOMPARE(result.scene.toolMask, ToolMask::Taken);
+  QVERIFY(result.clearance.nearest);
+  QVERIFY(!boomIsInModel(chain.pipeline));
+  // The wall is what is nearest now: 0.9 m behind the load.
+  QVERIFY(std::abs(result.clearance.nearest->distance - 0.9) < 0.05);
+}
+
+void TestPipelineTool::withinTheLimitItIsTakenOutWhereItMustBe() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  chain.frames(6);
+  chain.script->see = lostTrack;
+  const Result result = chain.frames(8);  // 0.4 s
+  QCOMPARE(result.scene.toolMask, ToolMask::Taken);
+  QVERIFY(result.clearance.nearest);
+  QVERIFY(*result.tool.age > 0.3);
+}
+
+void TestPipelineTool::beyondTheLimitThereIsNoDistance() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  chain.frames(6);
+  chain.script->see = lostTrack;
+  const Result result = chain.frames(11);  // 0.55 s
+  QCOMPARE(text(result.clearance.reason), text(Reason::ToolLost));
+  QVERIFY(!result.clearance.nearest);
+  QCOMPARE(text(result.level), text(WarningLevel::NoDistance));
+  QCOMPARE(result.scene.toolMask, ToolMask::NoToolPoint);
+  QVERIFY(!result.scene.toolBox);
+  chain.script->see = nullptr;
+  QVERIFY(chain.frames(1).clearance.nearest);
+}
+
+void TestPipelineTool::aLostToolTeachesNothing() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  chain.frames(6);
+  chain.script->see = lostTrack;
+  chain.frames(40);
+  QVERIFY(!boomIsInModel(chain.pipeline));
+}
+
+void TestPipelineTool::aBoxThatDoesNotFitIsNoDistance() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{{150, 150, 40, 40}});
+  const Result first = chain.frames(1);
+  QVERIFY(!first.tool.fault.empty());
+  QCOMPARE(text(chain.frames(6).clearance.reason), text(Reason::ToolLost));
+  chain.pipeline.order(ForgetTool{});
+  QVERIFY(chain.frames(6).clearance.nearest);
+}
+
+void TestPipelineTool::aFaultOfTheFrameGoesFirst() {
+  Chain chain;
+  chain.script->see = lostTrack;
+  chain.pipeline.order(TrackBox{box});
+  auto blind = std::make_shared<Frame>(*boomFrame(0));
+  auto cloud = std::make_shared<Cloud>(*blind->cloud);
+  for (auto& point : cloud->points) point = unmeasuredPoint();
+  blind->cloud = cloud;
+  QCOMPARE(text(chain.pipeline.process(blind, chain.parameters).clearance.reason),
+           text(Reason::FewDepthPixels));
+}
+
+void TestPipelineTool::resetForgetsTheTool() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  QVERIFY(chain.frames(2).tool.running());
+  chain.pipeline.reset();
+  QVERIFY(!chain.frames(1).tool.running());
+}
+
+QTEST_GUILESS_MAIN(TestPipelineTool)
+#include "test_pipeline_tool.moc"

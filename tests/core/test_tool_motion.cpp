@@ -1,0 +1,158 @@
+#include <QtTest>
+#include <cmath>
+#include <random>
+
+#include "tracking/tool_motion.h"
+
+using namespace boomwatch;
+using Eigen::Vector3f;
+
+namespace {
+
+const TrackingParameters defaults;
+
+/// Where a tool is that moves evenly.
+Vector3f evenly(double t) { return Vector3f(-1.0F, 0.5F, 4.0F) + Vector3f(0.8F, -0.2F, 0.4F) * t; }
+
+/// Fed with `seconds` of even motion, `rate` frames a second.
+ToolMotion moved(double seconds, double rate) {
+  ToolMotion motion;
+  for (int i = 0; i <= static_cast<int>(seconds * rate); ++i) {
+    motion.update(i / rate, evenly(i / rate), defaults);
+  }
+  return motion;
+}
+
+}  // namespace
+
+class TestToolMotion : public QObject {
+  Q_OBJECT
+ private slots:
+  void knowsNothingAtFirst();
+  void followsEvenMotionWithoutLag_data();
+  void followsEvenMotionWithoutLag();
+  void smoothsNoise();
+  void goesOnAsItMovedWhileNothingIsMeasured();
+  void isForgottenBeyondTheAge();
+  void oneOutlierIsNotBelieved();
+  void outliersThatAgreeAre();
+  void outliersThatDoNotAgreeAreNot();
+  void aClockThatGoesBackwardsBeginsAnew();
+  void theSameStampTwiceIsNoFault();
+  void velocityIsAbsentUntilItIsKnown();
+};
+
+void TestToolMotion::knowsNothingAtFirst() {
+  ToolMotion motion;
+  QVERIFY(!motion.point() && !motion.velocity() && !motion.age());
+  motion.update(3.0, std::nullopt, defaults);
+  QVERIFY(!motion.point() && !motion.velocity() && !motion.age());
+}
+
+void TestToolMotion::followsEvenMotionWithoutLag_data() {
+  QTest::addColumn<double>("rate");
+  QTest::newRow("4 frames a second") << 4.0;
+  QTest::newRow("30 frames a second") << 30.0;
+}
+
+void TestToolMotion::followsEvenMotionWithoutLag() {
+  QFETCH(double, rate);
+  const ToolMotion motion = moved(3.0, rate);
+  QVERIFY((*motion.point() - evenly(3.0)).norm() < 0.01F);
+  QVERIFY((*motion.velocity() - Vector3f(0.8F, -0.2F, 0.4F)).norm() < 0.03F);
+  QCOMPARE(*motion.age(), 0.0);
+}
+
+void TestToolMotion::smoothsNoise() {
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0.0F, 0.05F);
+  ToolMotion motion;
+  double raw = 0.0, smooth = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3f truth = evenly(i / 25.0);
+    const Vector3f measured = truth + Vector3f(noise(random), noise(random), noise(random));
+    motion.update(i / 25.0, measured, defaults);
+    if (i < 50) continue;
+    raw += (measured - truth).squaredNorm();
+    smooth += (*motion.point() - truth).squaredNorm();
+  }
+  QVERIFY2(smooth < 0.5 * raw, qPrintable(QString::number(smooth / raw)));
+}
+
+void TestToolMotion::goesOnAsItMovedWhileNothingIsMeasured() {
+  ToolMotion motion = moved(3.0, 20.0);
+  for (int i = 1; i <= 9; ++i) {
+    motion.update(3.0 + i / 20.0, std::nullopt, defaults);
+    QVERIFY((*motion.point() - evenly(3.0 + i / 20.0)).norm() < 0.05F);
+    QVERIFY(std::abs(*motion.age() - i / 20.0) < 1e-9);
+  }
+}
+
+void TestToolMotion::isForgottenBeyondTheAge() {
+  ToolMotion motion = moved(3.0, 20.0);
+  motion.update(3.51, std::nullopt, defaults);
+  QVERIFY(!motion.point() && !motion.velocity());
+  QVERIFY(std::abs(*motion.age() - 0.51) < 1e-9);
+  // Wherever it comes back, it is taken for what it is.
+  motion.update(3.6, Vector3f(5, 5, 5), defaults);
+  QCOMPARE(*motion.point(), Vector3f(5, 5, 5));
+  QVERIFY(!motion.velocity());
+  QCOMPARE(*motion.age(), 0.0);
+}
+
+void TestToolMotion::oneOutlierIsNotBelieved() {
+  ToolMotion motion = moved(3.0, 20.0);
+  motion.update(3.05, Vector3f(evenly(3.05) + Vector3f(0, 0, 4)), defaults);
+  QVERIFY((*motion.point() - evenly(3.05)).norm() < 0.05F);
+  QVERIFY(*motion.age() > 0.0);
+  motion.update(3.1, evenly(3.1), defaults);
+  QVERIFY((*motion.point() - evenly(3.1)).norm() < 0.05F);
+  QCOMPARE(*motion.age(), 0.0);
+}
+
+void TestToolMotion::outliersThatAgreeAre() {
+  ToolMotion motion = moved(3.0, 20.0);
+  const Vector3f elsewhere = evenly(3.0) + Vector3f(0, 0, 4);
+  motion.update(3.05, elsewhere, defaults);
+  motion.update(3.1, elsewhere, defaults);
+  QVERIFY((*motion.point() - elsewhere).norm() > 3.0F);
+  motion.update(3.15, elsewhere, defaults);
+  QVERIFY((*motion.point() - elsewhere).norm() < 0.01F);
+  QCOMPARE(*motion.age(), 0.0);
+}
+
+void TestToolMotion::outliersThatDoNotAgreeAreNot() {
+  ToolMotion motion = moved(3.0, 20.0);
+  for (int i = 1; i <= 8; ++i) {
+    const Vector3f wild(static_cast<float>(i % 2 ? 40 : -40), 0, 10);
+    motion.update(3.0 + i * 0.05, wild, defaults);
+    QVERIFY((*motion.point() - evenly(3.0 + i * 0.05)).norm() < 0.1F);
+  }
+}
+
+void TestToolMotion::aClockThatGoesBackwardsBeginsAnew() {
+  ToolMotion motion = moved(3.0, 20.0);
+  motion.update(0.1, std::nullopt, defaults);
+  QVERIFY(!motion.point() && !motion.age());
+  motion.update(0.2, evenly(0.2), defaults);
+  QCOMPARE(*motion.point(), evenly(0.2));
+}
+
+void TestToolMotion::theSameStampTwiceIsNoFault() {
+  ToolMotion motion = moved(3.0, 20.0);
+  motion.update(3.0, evenly(3.0), defaults);
+  QVERIFY((*motion.point() - evenly(3.0)).norm() < 0.02F);
+  QVERIFY(motion.velocity()->allFinite());
+}
+
+void TestToolMotion::velocityIsAbsentUntilItIsKnown() {
+  ToolMotion motion;
+  motion.update(0.0, evenly(0.0), defaults);
+  motion.update(0.05, evenly(0.05), defaults);
+  QVERIFY(!motion.velocity());
+  motion.update(0.1, evenly(0.1), defaults);
+  QVERIFY(motion.velocity());
+}
+
+QTEST_GUILESS_MAIN(TestToolMotion)
+#include "test_tool_motion.moc"

@@ -1,0 +1,169 @@
+#include "tracking_dock.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPixmap>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "patch_strip.h"
+#include "tool_texts.h"
+
+namespace boomwatch {
+namespace {
+
+QString modelFilter() { return TrackingDock::tr("Models of a tool (*.tool);;All files (*)"); }
+
+/// As high as `lines` lines, so that nothing moves when the words change.
+QLabel* makeLines(int lines) {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  label->setFixedHeight(lines * label->fontMetrics().lineSpacing() + 2);
+  return label;
+}
+
+void show(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setToolTip(text);
+}
+
+}  // namespace
+
+TrackingDock::TrackingDock(QWidget* parent) : QDockWidget(tr("Tracking"), parent) {
+  setObjectName(QStringLiteral("tracking"));
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(6, 6, 6, 6);
+  column->addWidget(makeChoice());
+  column->addWidget(makeButtons());
+  column->addWidget(makeState());
+  column->addStretch(1);
+  setWidget(content);
+  setParameters({});
+  setDisplay(nullptr);
+}
+
+QWidget* TrackingDock::makeChoice() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_tracker = new QComboBox;
+  m_tracker->setAccessibleName(tr("Tracker"));
+  m_tracker->setToolTip(tr("What follows the tool; a new one begins where the old one saw it"));
+  m_tracker->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_tracker->setMinimumContentsLength(12);
+  for (const TrackerKind kind : {TrackerKind::Tld, TrackerKind::Cmt, TrackerKind::Klt,
+                                 TrackerKind::Csrt, TrackerKind::Manual}) {
+    m_tracker->addItem(trackerText(kind), static_cast<int>(kind));
+  }
+  m_learn = new QCheckBox(tr("Learn"));
+  m_learn->setToolTip(tr("tld: go on learning what the tool looks like"));
+  layout->addWidget(m_tracker, 1);
+  layout->addWidget(m_learn);
+  connect(m_tracker, &QComboBox::activated, this, [this] {
+    emit trackerChosen(static_cast<TrackerKind>(m_tracker->currentData().toInt()));
+  });
+  connect(m_learn, &QCheckBox::clicked, this, &TrackingDock::learningChosen);
+  return row;
+}
+
+QWidget* TrackingDock::makeButtons() {
+  auto* buttons = new QWidget;
+  auto* grid = new QGridLayout(buttons);
+  grid->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](int row, int column, const QString& text, const QString& help) {
+    auto* button = new QPushButton(text);
+    button->setToolTip(help);
+    grid->addWidget(button, row, column);
+    return button;
+  };
+  QPushButton* draw =
+      add(0, 0, tr("Draw box"),
+          tr("Begin a box in the camera picture: arrows size it, Enter starts, Escape gives up. Or "
+             "drag one with the mouse."));
+  m_again = add(0, 1, tr("Begin again"),
+                tr("Begin anew where the tool was last seen; what was learnt since is forgotten"));
+  m_forget = add(0, 2, tr("Forget"), tr("Nothing follows the tool any more"));
+  m_load = add(1, 0, tr("Load..."),
+               tr("Find the tool by a saved model; several files are merged. Only tld can."));
+  m_merge = add(1, 1, tr("Merge..."), tr("Add saved models to what is known by now"));
+  m_save = add(1, 2, tr("Save..."), tr("Save what is known by now"));
+  connect(draw, &QPushButton::clicked, this, &TrackingDock::boxWanted);
+  connect(m_again, &QPushButton::clicked, this, &TrackingDock::beginAgainWanted);
+  connect(m_forget, &QPushButton::clicked, this, &TrackingDock::forgetWanted);
+  connect(m_load, &QPushButton::clicked, this, [this] { askWhatToLoad(false); });
+  connect(m_merge, &QPushButton::clicked, this, [this] { askWhatToLoad(true); });
+  connect(m_save, &QPushButton::clicked, this, &TrackingDock::askWhereToSave);
+  return buttons;
+}
+
+QWidget* TrackingDock::makeState() {
+  auto* state = new QWidget;
+  auto* column = new QVBoxLayout(state);
+  column->setContentsMargins(0, 0, 0, 0);
+  m_state = makeLines(3);
+  m_learning = makeLines(2);
+  m_model = makeLines(1);
+  m_patches = new QLabel;
+  m_patches->setFixedHeight(2 * patchSide + 2);
+  m_patches->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  m_patches->setAccessibleName(tr("Learnt views"));
+  m_patches->setToolTip(
+      tr("What was learnt last: above, views of the tool; below, of what is not the tool"));
+  for (QLabel* label : {m_state, m_learning, m_model, m_patches}) column->addWidget(label);
+  return state;
+}
+
+void TrackingDock::setParameters(const Parameters& parameters) {
+  const TrackingParameters& tracking = parameters.tracking;
+  m_tracker->setCurrentIndex(m_tracker->findData(static_cast<int>(tracking.tracker)));
+  m_learn->setChecked(tracking.learn);
+  const bool learns = tracking.tracker == TrackerKind::Tld;
+  m_learn->setEnabled(learns);
+  m_load->setEnabled(learns);
+}
+
+void TrackingDock::setDisplay(const DisplayPtr& display) {
+  const bool any = display && display->result;
+  const ToolTrack none;
+  const ToolTrack& tool = any ? display->result->tool : none;
+  const TrackingParameters tracking =
+      any ? display->result->parameters.tracking : TrackingParameters{};
+  show(m_state, toolSentence(tool, tracking));
+  show(m_learning, tool.running() ? learningSentence(tool.learning) : QString());
+  show(m_model, tool.model ? boomwatch::modelText(*tool.model) : QString());
+  m_patches->setPixmap(any ? QPixmap::fromImage(display->patches) : QPixmap());
+  m_again->setEnabled(tool.running());
+  m_forget->setEnabled(tool.running() || tool.pixel);
+  m_merge->setEnabled(tool.model != nullptr);
+  m_save->setEnabled(tool.model != nullptr);
+}
+
+QString TrackingDock::stateText() const { return m_state->text(); }
+QString TrackingDock::learningText() const { return m_learning->text(); }
+QString TrackingDock::modelText() const { return m_model->text(); }
+
+void TrackingDock::askWhatToLoad(bool merge) {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, merge ? tr("Merge models of the tool") : tr("Load a model of the tool"), {},
+      modelFilter());
+  if (files.isEmpty()) return;
+  if (merge) {
+    emit mergeWanted(files);
+  } else {
+    emit loadWanted(files);
+  }
+}
+
+void TrackingDock::askWhereToSave() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the model of the tool"), QStringLiteral("boomwatch.tool"), modelFilter());
+  if (!file.isEmpty()) emit saveWanted(file);
+}
+
+}  // namespace boomwatch

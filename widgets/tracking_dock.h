@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QStringList>
+
+#include "display.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace boomwatch {
+
+/// What follows the tool: which tracker, whether it learns, where it begins, its model's files, and
+/// how it is doing. Asks for everything, does nothing itself. GUI thread.
+class TrackingDock : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  explicit TrackingDock(QWidget* parent = nullptr);
+
+  /// The values in force or about to be; emits nothing.
+  void setParameters(const Parameters& parameters);
+  void setDisplay(const DisplayPtr& display);
+
+  /// What stands below the buttons, line by line.
+  QString stateText() const;
+  QString learningText() const;
+  QString modelText() const;
+
+ signals:
+  void trackerChosen(boomwatch::TrackerKind kind);
+  void learningChosen(bool on);
+  void boxWanted();
+  void beginAgainWanted();
+  void forgetWanted();
+  void loadWanted(const QStringList& files);
+  /// As loadWanted, but what is known by now is kept as well.
+  void mergeWanted(const QStringList& files);
+  void saveWanted(const QString& file);
+
+ private:
+  QWidget* makeChoice();
+  QWidget* makeButtons();
+  QWidget* makeState();
+  void askWhatToLoad(bool merge);
+  void askWhereToSave();
+
+  QComboBox* m_tracker = nullptr;
+  QCheckBox* m_learn = nullptr;
+  QPushButton* m_again = nullptr;
+  QPushButton* m_forget = nullptr;
+  QPushButton* m_load = nullptr;
+  QPushButton* m_merge = nullptr;
+  QPushButton* m_save = nullptr;
+  QLabel* m_state = nullptr;
+  QLabel* m_learning = nullptr;
+  QLabel* m_model = nullptr;
+  QLabel* m_patches = nullptr;
+};
+
+}  // namespace boomwatch
