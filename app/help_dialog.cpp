@@ -28,6 +28,8 @@ QString unknownText() {
       "the neighbourhood that was observed stands at the bar.</li>"
       "<li>What has only just appeared. A thing must be seen in several frames in a row before it "
       "enters the model.</li>"
+      "<li>Where the tool is, when it was lost for too long. Then boom and load cannot be taken "
+      "out of the cloud, and there is no distance.</li>"
       "<li>What is taken out with the load and the boom: shown in red, not in the distance.</li>"
       "<li>Anything, when the camera moves: the model is made for one that stands still.</li></ul>"
       "<p>A picture that is paused or ended is not what is there now. The words over the bar say "
@@ -45,8 +47,10 @@ QString keysText() {
       "<tr><td>Ctrl+S</td><td>save a picture of the window</td></tr>"
       "<tr><td>R</td><td>reset the 3-D view</td></tr>"
       "<tr><td>F</td><td>fit the maps</td></tr>"
-      "<tr><td>Click in the camera picture</td><td>this is the tool; right click: it is "
-      "not</td></tr></table>");
+      "<tr><td>Drag in the camera picture</td><td>follow the tool in this box; or B, arrows "
+      "and Enter</td></tr>"
+      "<tr><td>Click in the camera picture</td><td>the tool is here and stays here; right click: "
+      "it is not</td></tr></table>");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ QLabel* makeLines(int lines) {
   return label;
 }
 
-void show(QLabel* label, const QString& text) {
+void setLine(QLabel* label, const QString& text) {
   label->setText(text);
   label->setToolTip(text);
 }
@@ -134,9 +134,9 @@ void TrackingDock::setDisplay(const DisplayPtr& display) {
   const ToolTrack& tool = any ? display->result->tool : none;
   const TrackingParameters tracking =
       any ? display->result->parameters.tracking : TrackingParameters{};
-  show(m_state, toolSentence(tool, tracking));
-  show(m_learning, tool.running() ? learningSentence(tool.learning) : QString());
-  show(m_model, tool.model ? boomwatch::modelText(*tool.model) : QString());
+  setLine(m_state, toolSentence(tool, tracking));
+  setLine(m_learning, tool.running() ? learningSentence(tool.learning) : QString());
+  setLine(m_model, tool.model ? boomwatch::modelText(*tool.model) : QString());
   m_patches->setPixmap(any ? QPixmap::fromImage(display->patches) : QPixmap());
   m_again->setEnabled(tool.running());
   m_forget->setEnabled(tool.running() || tool.pixel);

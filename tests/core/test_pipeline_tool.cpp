@@ -1,8 +1,10 @@
 #include <QtTest>
+#include <algorithm>
 
 #include "fake_tracker.h"
 #include "flat_scene.h"
 #include "pipeline/pipeline.h"
+#include "stereo/stereo_rig.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -46,6 +48,21 @@ struct Chain {
   }
 };
 
+/// A pair that has to be rectified; the calibration is for pictures of `calibrated`.
+FramePtr stereoFrame(std::uint64_t sequence, cv::Size calibrated) {
+  auto rig = std::make_shared<StereoRig>();
+  rig->imageSize = calibrated;
+  rig->leftMatrix = rig->rightMatrix = {200, 0, 160, 0, 200, 100, 0, 0, 1};
+  rig->translation = {-0.2, 0, 0};
+  auto frame = std::make_shared<Frame>();
+  frame->sequence = sequence;
+  frame->stamp = static_cast<double>(sequence) * 0.05;
+  frame->left = texture({320, 200}, 0);
+  frame->right = texture({320, 200}, 10);
+  frame->rig = rig;
+  return frame;
+}
+
 bool boomIsInModel(const Pipeline& pipeline) {
   const auto levels = pipeline.model().levels();
   // At 2 m of 5 m; the wall is at level 153.
@@ -67,6 +84,8 @@ class TestPipelineTool : public QObject {
   void aBoxThatDoesNotFitIsNoDistance();
   void aFaultOfTheFrameGoesFirst();
   void resetForgetsTheTool();
+  void theTrackerSeesThePictureThatTheCloudBelongsTo();
+  void anOrderWaitsForAFrameThatCanBeUsed();
 };
 
 void TestPipelineTool::withoutAToolEverythingIsAsItWas() {
@@ -151,6 +170,32 @@ void TestPipelineTool::resetForgetsTheTool() {
   QVERIFY(chain.frames(2).tool.running());
   chain.pipeline.reset();
   QVERIFY(!chain.frames(1).tool.running());
+}
+
+void TestPipelineTool::theTrackerSeesThePictureThatTheCloudBelongsTo() {
+  Chain chain;
+  cv::Mat seen;
+  chain.script->see = [&](const cv::Mat& image) {
+    seen = image;
+    return Track{TrackState::Tracked, box, 1.0, LearningState::None};
+  };
+  chain.pipeline.order(TrackBox{box});
+  const Result result = chain.pipeline.process(stereoFrame(0, {320, 200}), chain.parameters);
+  QVERIFY(!seen.empty());
+  QCOMPARE(seen.data, result.image.data);
+  // Rectified: not the picture as it came.
+  QVERIFY(seen.data != result.frame->left.data);
+}
+
+void TestPipelineTool::anOrderWaitsForAFrameThatCanBeUsed() {
+  Chain chain;
+  chain.pipeline.order(TrackBox{box});
+  // The calibration is for pictures of another size.
+  const Result unusable = chain.pipeline.process(stereoFrame(0, {640, 480}), chain.parameters);
+  QCOMPARE(text(unusable.clearance.reason), text(Reason::UnreadableFrame));
+  QVERIFY(chain.script->boxes.empty());
+  chain.pipeline.process(stereoFrame(1, {320, 200}), chain.parameters);
+  QCOMPARE(chain.script->boxes.size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestPipelineTool)

@@ -18,6 +18,15 @@ class TestCameraView : public QObject {
   void rightClickAndEscapeForgetTheTool();
   void theToolCanBePickedFromTheKeyboard();
   void theKeyboardStaysInsideThePicture();
+  void aDragGivesTheBox_data();
+  void aDragGivesTheBox();
+  void aDragThatLeavesThePictureEndsAtItsEdge();
+  void aBoxTooSmallIsNeitherABoxNorAClick();
+  void escapeGivesTheDragUpAndNotTheTool();
+  void aBoxFromTheKeyboard();
+  void aBoxIsGivenUpWhenThePictureChangesItsSize();
+  void theToolsBoxIsDrawnSolidWhereItIsMeasured();
+  void anUnseenToolIsSaidInWords();
   void theLoadIsDrawnWhereThePinholePutsIt();
   void aLoadAroundTheCameraIsHarmless();
 };
@@ -35,6 +44,13 @@ bool shows(const QImage& image, const QPoint& at, const QColor& colour) {
     }
   }
   return false;
+}
+
+/// Left button down at `from`, and the mouse moved to `to`.
+void drag(QWidget& view, const QPoint& from, const QPoint& to) {
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, (from + to) / 2);
+  QTest::mouseMove(&view, to);
 }
 
 }  // namespace
@@ -123,6 +139,145 @@ void TestCameraView::theKeyboardStaysInsideThePicture() {
   for (int k = 0; k < 100; ++k) QTest::keyClick(&view, Qt::Key_Down);
   QTest::keyClick(&view, Qt::Key_Return);
   QCOMPARE(picked.last().first().toPoint(), QPoint(0, 575));
+}
+
+void TestCameraView::aDragGivesTheBox_data() {
+  QTest::addColumn<QPoint>("from");
+  QTest::addColumn<QPoint>("to");
+  QTest::newRow("down to the right") << QPoint(100, 120) << QPoint(179, 160);
+  QTest::newRow("up to the left") << QPoint(179, 160) << QPoint(100, 120);
+  QTest::newRow("up to the right") << QPoint(100, 160) << QPoint(179, 120);
+}
+
+void TestCameraView::aDragGivesTheBox() {
+  QFETCH(QPoint, from);
+  QFETCH(QPoint, to);
+  CameraView view;
+  view.resize(768, 576);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  QSignalSpy drawn(&view, &CameraView::boxDrawn);
+  QSignalSpy picked(&view, &CameraView::toolPicked);
+  drag(view, from, to);
+  QCOMPARE(view.draft(), std::optional(QRect(100, 120, 80, 41)));
+  QVERIFY(!view.grab().isNull());
+  QCOMPARE(drawn.count(), 0);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QCOMPARE(drawn.last().first().toRect(), QRect(100, 120, 80, 41));
+  QVERIFY(!view.draft());
+  QCOMPARE(picked.count(), 0);
+}
+
+void TestCameraView::aDragThatLeavesThePictureEndsAtItsEdge() {
+  CameraView view;
+  view.resize(384, 500);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  QSignalSpy drawn(&view, &CameraView::boxDrawn);
+  const int top = static_cast<int>(view.pictureRect().top());
+  drag(view, {300, top + 200}, {900, 2000});
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {900, 2000});
+  QCOMPARE(drawn.last().first().toRect(), QRect(QPoint(600, 400), QPoint(767, 575)));
+  // One that begins beside the picture is none.
+  drag(view, {300, 5}, {320, 300});
+  QVERIFY(!view.draft());
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {320, 300});
+  QCOMPARE(drawn.count(), 1);
+}
+
+void TestCameraView::aBoxTooSmallIsNeitherABoxNorAClick() {
+  CameraView view;
+  view.resize(768, 576);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  QSignalSpy drawn(&view, &CameraView::boxDrawn);
+  QSignalSpy picked(&view, &CameraView::toolPicked);
+  drag(view, {100, 100}, {140, 102});
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {140, 102});
+  QCOMPARE(drawn.count() + picked.count(), 0);
+  QVERIFY(!view.draft());
+}
+
+void TestCameraView::escapeGivesTheDragUpAndNotTheTool() {
+  CameraView view;
+  view.resize(768, 576);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  QSignalSpy drawn(&view, &CameraView::boxDrawn);
+  QSignalSpy picked(&view, &CameraView::toolPicked);
+  QSignalSpy cleared(&view, &CameraView::toolCleared);
+  drag(view, {100, 100}, {200, 200});
+  QTest::keyClick(&view, Qt::Key_Escape);
+  QVERIFY(!view.draft());
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {200, 200});
+  QCOMPARE(drawn.count() + picked.count() + cleared.count(), 0);
+}
+
+void TestCameraView::aBoxFromTheKeyboard() {
+  CameraView view;
+  view.resize(384, 288);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  QSignalSpy drawn(&view, &CameraView::boxDrawn);
+  QTest::keyClick(&view, Qt::Key_Left);  // the cursor: (374, 288)
+  QTest::keyClick(&view, Qt::Key_B);
+  QVERIFY(view.draft());
+  const QRect first = *view.draft();
+  QCOMPARE(first.topLeft(), QPoint(374, 288));
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Down, Qt::ShiftModifier);
+  QTest::keyClick(&view, Qt::Key_Return);
+  QCOMPARE(drawn.last().first().toRect(), first.adjusted(0, 0, 10, 1));
+  QTest::keyClick(&view, Qt::Key_B);
+  for (int k = 0; k < 100; ++k) QTest::keyClick(&view, Qt::Key_Right);
+  QCOMPARE(view.draft()->right(), 767);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  QVERIFY(!view.draft());
+  QCOMPARE(drawn.count(), 1);
+}
+
+void TestCameraView::aBoxIsGivenUpWhenThePictureChangesItsSize() {
+  CameraView view;
+  view.resize(768, 576);
+  view.setDisplay(makeDisplay(testing::makeResult(), {}));
+  drag(view, {500, 400}, {700, 500});
+  auto small = std::make_shared<Result>();
+  small->image = testing::makeImage(160, 120);
+  view.setDisplay(makeDisplay(small, {}));
+  QVERIFY(!view.draft());
+}
+
+void TestCameraView::theToolsBoxIsDrawnSolidWhereItIsMeasured() {
+  auto result = testing::makeResult();
+  result->load.reset();
+  result->clearance = Clearance::unknown(Reason::NoModel);
+  result->tool.state = TrackState::Tracked;
+  result->tool.box = cv::Rect2d(200, 300, 120, 100);
+  result->tool.confidence = 0.83;
+  CameraView view;
+  view.resize(768, 576);
+  // Along the box's lower edge, which nothing else crosses.
+  const auto share = [&](std::optional<double> age) {
+    result->tool.age = age;
+    view.setDisplay(makeDisplay(result, {}));
+    const QImage image = view.grab().toImage();
+    const Theme theme = themeFor(view.palette());
+    int seen = 0;
+    for (int x = 205; x < 315; ++x) seen += shows(image, {x, 400}, theme.tool) ? 1 : 0;
+    return seen / 110.0;
+  };
+  QVERIFY(share(0.0) > 0.95);
+  const double broken = share(0.2);
+  QVERIFY2(broken > 0.3 && broken < 0.9, qPrintable(QString::number(broken)));
+}
+
+void TestCameraView::anUnseenToolIsSaidInWords() {
+  auto result = testing::makeResult();
+  CameraView view;
+  view.resize(768, 576);
+  result->tool = {};
+  view.setDisplay(makeDisplay(result, {}));
+  const QImage idle = view.grab().toImage();
+  result->tool.state = TrackState::Lost;
+  result->tool.age = 1.2;
+  view.setDisplay(makeDisplay(result, {}));
+  const QRect corner(0, 0, 400, 40);
+  QVERIFY(view.grab().toImage().copy(corner) != idle.copy(corner));
 }
 
 void TestCameraView::theLoadIsDrawnWhereThePinholePutsIt() {

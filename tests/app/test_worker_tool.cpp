@@ -1,0 +1,162 @@
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+
+#include "../fake_source.h"
+#include "worker.h"
+
+using namespace boomwatch;
+
+namespace {
+
+/// What a worker publishes.
+class Reader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Reader(Worker& worker) : m_worker(worker) {
+    connect(&worker, &Worker::newsWaiting, this, [this] {
+      const News news = m_worker.takeNews();
+      if (news.display) tool = news.display->result->tool;
+      notices.insert(notices.end(), news.notices.begin(), news.notices.end());
+    });
+  }
+
+  bool told(const QString& text) const {
+    return std::any_of(notices.begin(), notices.end(), [&](const Notice& notice) {
+      return notice.kind == Notice::Kind::Tool && notice.text.contains(text);
+    });
+  }
+
+  ToolTrack tool;
+  std::vector<Notice> notices;
+
+ private:
+  Worker& m_worker;
+};
+
+/// A live source whose picture always shows the same thing, but for a grey level of noise.
+SourceOpener steadyPicture() {
+  test::Script script;
+  script.info.live = true;
+  script.info.frameCount.reset();
+  script.read = [](std::size_t index) {
+    auto frame =
+        std::make_shared<Frame>(*test::wallFrame(index, 0.05 * static_cast<double>(index)));
+    frame->left = test::wallFrame(0, 0.0)->left.clone();
+    frame->left.at<std::uint8_t>(static_cast<int>(index % 48), 3) ^= 1;
+    return ReadResult{ReadResult::Status::Ok, frame, {}, 0};
+  };
+  return [script](const std::string&, const SourceOptions&) {
+    return std::make_unique<test::FakeSource>(script);
+  };
+}
+
+Parameters following(TrackerKind kind) {
+  Parameters parameters;
+  parameters.bounds = {-2, 2, -2, 2, 0, 5};
+  parameters.tracking.tracker = kind;
+  return parameters;
+}
+
+const TrackBox box{cv::Rect2d(20, 12, 20, 20)};
+
+}  // namespace
+
+/// The worker obeys what is said about the tool. (Its other orders: test_worker.)
+class TestWorkerTool : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aBoxIsFollowed();
+  void whatIsSaidBeforeTheSourceIsOpenHoldsForIt();
+  void aBoxThatDoesNotFitIsToldAndNothingIsTracked();
+  void aMissingModelIsToldByName();
+  void thereIsNothingToSave();
+  void aModelGoesThroughAFile();
+  void aFolderThatIsNotThereIsToldByName();
+};
+
+void TestWorkerTool::aBoxIsFollowed() {
+  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  QTRY_VERIFY(!reader.tool.running());
+  worker.command(ToolCommand{box});
+  QTRY_VERIFY(reader.tool.state == TrackState::Tracked);
+  worker.command(ToolCommand{ForgetTool{}});
+  QTRY_VERIFY(!reader.tool.running());
+}
+
+void TestWorkerTool::whatIsSaidBeforeTheSourceIsOpenHoldsForIt() {
+  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Reader reader(worker);
+  worker.command(ToolCommand{PickTool{{7, 9}}});
+  worker.command(OpenCommand{"fake:one", {}});
+  QTRY_VERIFY(reader.tool.pixel == std::optional(cv::Point(7, 9)));
+  // Not for the one after it.
+  worker.command(OpenCommand{"fake:two", {}});
+  QTRY_VERIFY(!reader.tool.pixel);
+}
+
+void TestWorkerTool::aBoxThatDoesNotFitIsToldAndNothingIsTracked() {
+  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  worker.command(ToolCommand{TrackBox{cv::Rect2d(50, 40, 30, 30)}});
+  QTRY_VERIFY(reader.told("reaches outside"));
+  QTRY_VERIFY(reader.tool.lost());
+}
+
+void TestWorkerTool::aMissingModelIsToldByName() {
+  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  worker.command(LoadToolModelCommand{{"/there/is/no.tool"}, false});
+  QTRY_VERIFY(reader.told("/there/is/no.tool"));
+  QVERIFY(!reader.tool.running());
+}
+
+void TestWorkerTool::thereIsNothingToSave() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("none.tool");
+  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  worker.command(SaveToolModelCommand{file.toStdString()});
+  QTRY_VERIFY(reader.told(file));
+  QVERIFY(!QFile::exists(file));
+}
+
+void TestWorkerTool::aModelGoesThroughAFile() {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("known.tool");
+  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  worker.command(ToolCommand{box});
+  QTRY_VERIFY(reader.tool.model);
+  worker.command(SaveToolModelCommand{file.toStdString()});
+  QTRY_VERIFY(QFile::exists(file));
+  worker.command(ToolCommand{ForgetTool{}});
+  QTRY_VERIFY(!reader.tool.running());
+  worker.command(LoadToolModelCommand{{file.toStdString()}, false});
+  QTRY_VERIFY(reader.tool.box);
+  const std::size_t known = reader.tool.model->positives.size();
+  worker.command(LoadToolModelCommand{{file.toStdString()}, true});
+  QTRY_VERIFY(reader.tool.model->positives.size() > known);
+  QVERIFY(reader.notices.empty());
+}
+
+void TestWorkerTool::aFolderThatIsNotThereIsToldByName() {
+  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Reader reader(worker);
+  worker.command(OpenCommand{"fake:one", {}});
+  worker.command(ToolCommand{box});
+  QTRY_VERIFY(reader.tool.model);
+  worker.command(SaveToolModelCommand{"/there/is/none/tool"});
+  QTRY_VERIFY(reader.told("/there/is/none/tool"));
+}
+
+QTEST_GUILESS_MAIN(TestWorkerTool)
+#include "test_worker_tool.moc"
