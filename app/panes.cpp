@@ -91,6 +91,8 @@ void Panes::arrange(QMainWindow* window) const {
   window->splitDockWidget(docks[1], docks[2], Qt::Horizontal);
   window->resizeDocks({docks[0], docks[1], docks[2]}, {1, 1, 1}, Qt::Horizontal);
   window->resizeDocks({docks[0]}, {window->height() * 2 / 5}, Qt::Vertical);
+  window->resizeDocks({tracking, parameters}, {tracking->sizeHint().height(), window->height()},
+                      Qt::Vertical);
 }
 
 void Panes::setDisplay(const DisplayPtr& display) const {

@@ -37,12 +37,21 @@ void drawLabel(QPainter& painter, const QRectF& box, const QString& text, const 
   painter.drawText(area, Qt::AlignCenter, text);
 }
 
-void drawFrame(QPainter& painter, const QRectF& box, const QColor& colour, Qt::PenStyle style,
+enum class Line { Solid, Broken };
+
+QPen penOf(const QColor& colour, Line line) {
+  QPen pen(colour, 2.0);
+  pen.setCapStyle(Qt::FlatCap);
+  if (line == Line::Broken) pen.setDashPattern({3.0, 3.0});
+  return pen;
+}
+
+void drawFrame(QPainter& painter, const QRectF& box, const QColor& colour, Line line,
                const Theme& theme) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.outline, 4.0));
   painter.drawRect(box);
-  painter.setPen(QPen(colour, 2.0, style));
+  painter.setPen(penOf(colour, line));
   painter.drawRect(box);
 }
 
@@ -55,7 +64,7 @@ void drawUnseen(QPainter& painter, const Display& display, const ToWidget& toWid
   const QPointF at = toWidget((*display.projection)(tool.point->cast<double>()));
   painter.setBrush(Qt::NoBrush);
   for (const bool under : {true, false}) {
-    painter.setPen(under ? QPen(theme.outline, 4.0) : QPen(theme.tool, 2.0, Qt::DashLine));
+    painter.setPen(under ? QPen(theme.outline, 4.0) : penOf(theme.tool, Line::Broken));
     painter.drawEllipse(at, 14.0, 14.0);
   }
 }
@@ -69,7 +78,7 @@ void drawTool(QPainter& painter, const Display& display, const ToWidget& toWidge
   if (tool.box) {
     const QRectF box =
         mapped({tool.box->x, tool.box->y, tool.box->width, tool.box->height}, toWidget);
-    drawFrame(painter, box, theme.tool, tool.age == 0.0 ? Qt::SolidLine : Qt::DashLine, theme);
+    drawFrame(painter, box, theme.tool, tool.age == 0.0 ? Line::Solid : Line::Broken, theme);
     drawLabel(painter, box, toolLabel(tool), theme);
   }
   if (tool.pixel) {
@@ -81,7 +90,7 @@ void drawTool(QPainter& painter, const Display& display, const ToWidget& toWidge
 void drawDraft(QPainter& painter, const QRect& box, bool largeEnough, const ToWidget& toWidget,
                const Theme& theme) {
   const QRectF drawn = mapped(QRectF(box), toWidget);
-  drawFrame(painter, drawn, Qt::white, Qt::DotLine, theme);
+  drawFrame(painter, drawn, Qt::white, Line::Broken, theme);
   const QString size = ToolOverlay::tr("%1 x %2").arg(box.width()).arg(box.height());
   drawLabel(painter, drawn, largeEnough ? size : ToolOverlay::tr("%1: too small").arg(size), theme);
 }

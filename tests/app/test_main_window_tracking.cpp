@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "../fake_source.h"
+#include "../flat_scene.h"
 #include "main_window.h"
 #include "parameter_row.h"
 #include "worker.h"
@@ -20,17 +21,13 @@ Parameters following(TrackerKind kind) {
   return parameters;
 }
 
-/// A picture that always shows the same thing, but for a grey level of noise.
-SourceOpener steadyPicture() {
+/// A live source that always shows the same wall.
+SourceOpener wallSource() {
   test::Script script;
   script.info.live = true;
   script.info.frameCount.reset();
   script.read = [](std::size_t index) {
-    auto frame =
-        std::make_shared<Frame>(*test::wallFrame(index, 0.05 * static_cast<double>(index)));
-    frame->left = test::wallFrame(0, 0.0)->left;
-    frame->left.at<std::uint8_t>(static_cast<int>(index % 48), 3) ^= 1;
-    return ReadResult{ReadResult::Status::Ok, frame, {}, 0};
+    return ReadResult{ReadResult::Status::Ok, test::wallFrame(index, 3.0F), {}, 0};
   };
   return [script](const std::string&, const SourceOptions&) {
     return std::make_unique<test::FakeSource>(script);
@@ -83,7 +80,7 @@ class TestMainWindowTracking : public QObject {
   }
 
   void aBoxDrawnInTheCameraPictureIsFollowed() {
-    Worker worker(following(TrackerKind::Klt), steadyPicture());
+    Worker worker(following(TrackerKind::Klt), wallSource());
     MainWindow window(following(TrackerKind::Klt), &worker);
     window.show();
     window.openSource("fake:one");
@@ -108,7 +105,7 @@ class TestMainWindowTracking : public QObject {
   }
 
   void aBoxIsBegunFromTheDock() {
-    Worker worker(following(TrackerKind::Klt), steadyPicture());
+    Worker worker(following(TrackerKind::Klt), wallSource());
     MainWindow window(following(TrackerKind::Klt), &worker);
     window.show();
     window.openSource("fake:one");
@@ -121,7 +118,7 @@ class TestMainWindowTracking : public QObject {
   }
 
   void aModelThatIsNotThereIsSaidByName() {
-    Worker worker(following(TrackerKind::Tld), steadyPicture());
+    Worker worker(following(TrackerKind::Tld), wallSource());
     MainWindow window(following(TrackerKind::Tld), &worker);
     emit window.panes().tracking->loadWanted({"/there/is/no.tool"});
     QTRY_VERIFY(window.panes().state->text().contains("/there/is/no.tool"));
@@ -131,7 +128,7 @@ class TestMainWindowTracking : public QObject {
     MainWindow window(following(TrackerKind::Tld), nullptr);
     auto result = std::make_shared<Result>();
     result->parameters = following(TrackerKind::Tld);
-    result->frame = test::wallFrame(0, 0.0);
+    result->frame = test::wallFrame(0, 3.0F);
     result->image = result->frame->left;
     result->clearance = Clearance::unknown(Reason::ToolLost);
     result->tool.state = TrackState::Lost;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "../fake_source.h"
+#include "../flat_scene.h"
+#include "tracking/tool_model.h"
 #include "worker.h"
 
 using namespace boomwatch;
@@ -35,17 +37,13 @@ class Reader : public QObject {
   Worker& m_worker;
 };
 
-/// A live source whose picture always shows the same thing, but for a grey level of noise.
-SourceOpener steadyPicture() {
+/// A live source that always shows the same wall.
+SourceOpener wallSource() {
   test::Script script;
   script.info.live = true;
   script.info.frameCount.reset();
   script.read = [](std::size_t index) {
-    auto frame =
-        std::make_shared<Frame>(*test::wallFrame(index, 0.05 * static_cast<double>(index)));
-    frame->left = test::wallFrame(0, 0.0)->left.clone();
-    frame->left.at<std::uint8_t>(static_cast<int>(index % 48), 3) ^= 1;
-    return ReadResult{ReadResult::Status::Ok, frame, {}, 0};
+    return ReadResult{ReadResult::Status::Ok, test::wallFrame(index, 3.0F), {}, 0};
   };
   return [script](const std::string&, const SourceOptions&) {
     return std::make_unique<test::FakeSource>(script);
@@ -59,7 +57,7 @@ Parameters following(TrackerKind kind) {
   return parameters;
 }
 
-const TrackBox box{cv::Rect2d(20, 12, 20, 20)};
+const TrackBox box{cv::Rect2d(40, 40, 60, 60)};
 
 }  // namespace
 
@@ -78,7 +76,7 @@ class TestWorkerTool : public QObject {
 };
 
 void TestWorkerTool::aBoxIsFollowed() {
-  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Worker worker(following(TrackerKind::Klt), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
   QTRY_VERIFY(!reader.tool.running());
@@ -89,7 +87,7 @@ void TestWorkerTool::aBoxIsFollowed() {
 }
 
 void TestWorkerTool::whatIsSaidBeforeTheSourceIsOpenHoldsForIt() {
-  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Worker worker(following(TrackerKind::Klt), wallSource());
   Reader reader(worker);
   worker.command(ToolCommand{PickTool{{7, 9}}});
   worker.command(OpenCommand{"fake:one", {}});
@@ -100,16 +98,16 @@ void TestWorkerTool::whatIsSaidBeforeTheSourceIsOpenHoldsForIt() {
 }
 
 void TestWorkerTool::aBoxThatDoesNotFitIsToldAndNothingIsTracked() {
-  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Worker worker(following(TrackerKind::Klt), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
-  worker.command(ToolCommand{TrackBox{cv::Rect2d(50, 40, 30, 30)}});
+  worker.command(ToolCommand{TrackBox{cv::Rect2d(150, 40, 30, 30)}});
   QTRY_VERIFY(reader.told("reaches outside"));
   QTRY_VERIFY(reader.tool.lost());
 }
 
 void TestWorkerTool::aMissingModelIsToldByName() {
-  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Worker worker(following(TrackerKind::Tld), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
   worker.command(LoadToolModelCommand{{"/there/is/no.tool"}, false});
@@ -120,7 +118,7 @@ void TestWorkerTool::aMissingModelIsToldByName() {
 void TestWorkerTool::thereIsNothingToSave() {
   const QTemporaryDir folder;
   const QString file = folder.filePath("none.tool");
-  Worker worker(following(TrackerKind::Klt), steadyPicture());
+  Worker worker(following(TrackerKind::Klt), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
   worker.command(SaveToolModelCommand{file.toStdString()});
@@ -131,7 +129,7 @@ void TestWorkerTool::thereIsNothingToSave() {
 void TestWorkerTool::aModelGoesThroughAFile() {
   const QTemporaryDir folder;
   const QString file = folder.filePath("known.tool");
-  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Worker worker(following(TrackerKind::Tld), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
   worker.command(ToolCommand{box});
@@ -149,7 +147,7 @@ void TestWorkerTool::aModelGoesThroughAFile() {
 }
 
 void TestWorkerTool::aFolderThatIsNotThereIsToldByName() {
-  Worker worker(following(TrackerKind::Tld), steadyPicture());
+  Worker worker(following(TrackerKind::Tld), wallSource());
   Reader reader(worker);
   worker.command(OpenCommand{"fake:one", {}});
   worker.command(ToolCommand{box});
