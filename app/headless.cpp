@@ -8,6 +8,7 @@
 #include "frame/error.h"
 #include "pipeline/pipeline.h"
 #include "result_json.h"
+#include "stereo/row_alignment.h"
 
 namespace boomwatch {
 namespace {
@@ -103,8 +104,18 @@ class HeadlessRun {
 
   void publish(Result result) {
     if (!result.message.empty() && result.frame) fault(result.message);
+    sayIfRowsDiffer(result);
     m_writer.write(toJsonLine(result));
     m_last = std::make_shared<Result>(std::move(result));
+  }
+
+  /// No fault, but no number is right then. Once is enough.
+  void sayIfRowsDiffer(const Result& result) {
+    if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+    m_rowsTold = true;
+    complain("the calibration does not fit: the rows of left and right differ by " +
+             QString::number(*result.rowResidue, 'f', 1).toStdString() +
+             " px. Calibrate anew, or set stereo_refine.");
   }
 
   /// No fault: some containers only estimate how many frames they hold.
@@ -133,6 +144,7 @@ class HeadlessRun {
   Pipeline m_pipeline;
   std::shared_ptr<Result> m_last;
   double m_silence = 0.0;
+  bool m_rowsTold = false;
   bool m_faulty = false;
 };
 

@@ -216,6 +216,11 @@ void MainWindow::showNotice(const Notice& notice) {
     case Notice::Kind::Lost:
       m_panes.state->showFault(tr("Lost: %1").arg(notice.text));
       break;
+    case Notice::Kind::Calibration:
+      m_panes.state->showFault(tr("The calibration does not fit: the rows of left and right differ "
+                                  "by %1 px. Calibrate anew, or switch on Refine.")
+                                   .arg(notice.text));
+      return;
     case Notice::Kind::Parameters:
       m_panes.state->showFault(tr("Parameters not in force: %1").arg(notice.text));
       break;

@@ -47,6 +47,7 @@ QByteArray toJsonLine(const Result& result) {
       {"fill", result.cloud ? QJsonValue(result.fill) : none},
       {"truth_m",
        result.frame && result.frame->truth ? QJsonValue(result.frame->truth->distance) : none},
+      {"row_residue_px", number(result.rowResidue)},
       {"message", QString::fromStdString(result.message)},
       {"timings_ms", timings},
   };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame/error.h"
+#include "stereo/row_alignment.h"
 
 namespace boomwatch {
 namespace {
@@ -129,6 +130,7 @@ void WorkerLoop::startPlaying(std::unique_ptr<FrameSource> source) {
   m_pipeline.reset();
   m_last.reset();
   m_stalled = false;
+  m_rowsTold = false;
   obey(PlayCommand{});
 }
 
@@ -170,6 +172,7 @@ void WorkerLoop::process(const FramePtr& frame) {
     if (!result->model) {
       result->model = std::make_shared<const EnvironmentModel>(m_pipeline.model());
     }
+    checkRows(*result);
     if (!result->message.empty()) tell(Notice::Kind::Frame, result->message);
     publish(std::move(result));
   } catch (const std::exception& error) {
@@ -190,6 +193,12 @@ void WorkerLoop::checkAge() {
   if (m_stalled || age.count() <= m_parameters.validity.maxFrameAge) return;
   m_stalled = true;
   publishNoFrame(Reason::NoFrame);
+}
+
+void WorkerLoop::checkRows(const Result& result) {
+  if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+  m_rowsTold = true;
+  tell(Notice::Kind::Calibration, QString::number(*result.rowResidue, 'f', 1).toStdString());
 }
 
 void WorkerLoop::countFrame() {

@@ -48,6 +48,7 @@ class WorkerLoop {
   void process(const FramePtr& frame);
   void publishNoFrame(Reason reason, const std::string& message = {});
   void checkAge();
+  void checkRows(const Result& result);
   void countFrame();
   void publish(ResultPtr result);
   void tell(Notice::Kind kind, const std::string& text);
@@ -76,6 +77,7 @@ class WorkerLoop {
   TimePoint m_readAt;   ///< of the frame that is being processed
   TimePoint m_aliveAt;  ///< when a frame last came, or when it began to be waited for
   bool m_stalled = false;
+  bool m_rowsTold = false;  ///< that the calibration does not fit, of this source
   ResultPtr m_last;
   SourceStatus m_published;
 };

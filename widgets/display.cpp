@@ -186,11 +186,6 @@ std::uint8_t brightnessOfLevel(std::uint8_t level) {
   return static_cast<std::uint8_t>(255 - (level - 1) * (255 - farthestBrightness) / 254);
 }
 
-double highestProbability(const ModelParameters& parameters) {
-  // The fixed point of Eq. 8, p_prior / (1 - p_post); no probability is above 1.
-  return std::clamp(parameters.pPrior / (1.0 - parameters.pPost), 1e-3, 1.0);
-}
-
 std::optional<PinholeProjection> fitPinhole(const Cloud& cloud) {
   constexpr double tolerance = 2.0;  // pixels
   if (!cloud.organised() || cloud.width < 2) return std::nullopt;

@@ -82,9 +82,6 @@ inline constexpr std::uint8_t darkestPointColour = 70;  ///< of a point of the c
 /// The colour of a depth level 1..255: nearer is brighter.
 std::uint8_t brightnessOfLevel(std::uint8_t level);
 
-/// The probability that is shown brightest: what Eq. 8 tends to when a cell is always hit.
-double highestProbability(const ModelParameters& parameters);
-
 }  // namespace boomwatch
 
 Q_DECLARE_METATYPE(boomwatch::DisplayPtr)

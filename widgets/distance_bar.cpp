@@ -205,10 +205,10 @@ bool DistanceBar::nothingInRange() const {
   return m_display && m_display->result->clearance.state == ClearanceState::NothingInRange;
 }
 
-double DistanceBar::searchedRange() const {
-  const Parameters& p = m_display->result->parameters;
-  const bool rays = p.clearance.method == ClearanceMethod::Rays;
-  return rays ? p.clearance.radius * p.model.resolution : p.clearance.range;
+double DistanceBar::searchedRange() const { return searchReach(m_display->result->parameters); }
+
+QString DistanceBar::nothingWithin() const {
+  return tr("nothing within %1 m").arg(QLocale().toString(searchedRange(), 'g', 3));
 }
 
 std::optional<double> DistanceBar::fill() const {
@@ -240,7 +240,8 @@ QString DistanceBar::hintText() const {
   const Nearest* found = nearest();
   if (!found && !nothingInRange()) {
     const Reason reason = m_display ? m_display->result->clearance.reason : Reason::NoFrame;
-    return reasonTitle(reason) + QStringLiteral(".\n") + reasonText(reason);
+    const QString text = reasonTitle(reason) + QStringLiteral(".\n") + reasonText(reason);
+    return reason == Reason::SearchTooShort ? text + QLatin1Char('\n') + nothingWithin() : text;
   }
   const Result& result = *m_display->result;
   QStringList lines;
@@ -249,7 +250,7 @@ QString DistanceBar::hintText() const {
     lines << tr("to %1").arg(partText(found->part));
     lines << QStringLiteral("\u00b1 ") + metresText(error);
   } else {
-    lines << tr("nothing within %1 m").arg(QLocale().toString(searchedRange(), 'g', 3));
+    lines << nothingWithin();
   }
   if (result.approach && result.approach->timeToContact) {
     const double seconds = std::floor(*result.approach->timeToContact * 10.0) / 10.0;

@@ -41,6 +41,7 @@ class DistanceBar : public QWidget {
   const Nearest* nearest() const;
   bool nothingInRange() const;
   double searchedRange() const;
+  QString nothingWithin() const;
   void announce();
 
   DisplayPtr m_display;

@@ -23,14 +23,22 @@ std::filesystem::path toPath(const QString& file) {
   return std::filesystem::path(file.toStdU16String());
 }
 
-/// The core's warnings are English; those that are known are said in the user's language.
-QString warningText(const ParameterWarning& warning) {
-  if (warning.key == "probtresh") {
-    return ParameterDock::tr(
-        "At or above p_prior / (1 - p_post), the highest probability a cell can reach: nothing "
-        "enters the model.");
+/// The core's warnings are English; here they are said in the user's language.
+QString remarkText(ParameterRemark remark) {
+  switch (remark) {
+    case ParameterRemark::NothingEnters:
+      return ParameterDock::tr(
+          "At or above the highest probability a cell can reach, p_prior / (1 - p_post) or "
+          "log_odds_high: nothing enters the model.");
+    case ParameterRemark::NothingLeaves:
+      return ParameterDock::tr(
+          "So low that a cell which is looked through stays occupied: nothing leaves the model.");
+    case ParameterRemark::SearchTooShort:
+      return ParameterDock::tr(
+          "The search ends before the caution distance: where it finds nothing there is no "
+          "distance, rather than clear.");
   }
-  return QString::fromStdString(warning.message);
+  return {};
 }
 
 }  // namespace
@@ -141,7 +149,7 @@ bool ParameterDock::check() {
   }
   setMessage({});
   for (const ParameterWarning& warning : warningsFor(m_parameters)) {
-    if (ParameterRow* named = row(warning.key)) named->setMessage(warningText(warning));
+    if (ParameterRow* named = row(warning.key)) named->setMessage(remarkText(warning.remark));
   }
   try {
     validate(m_parameters);

@@ -32,6 +32,8 @@ QString reasonTitle(Reason reason) {
       return Texts::tr("Load out of bounds");
     case Reason::NoModel:
       return Texts::tr("Model is building");
+    case Reason::SearchTooShort:
+      return Texts::tr("Search too short");
     case Reason::NothingObserved:
       return Texts::tr("Nothing seen here");
   }
@@ -59,6 +61,9 @@ QString reasonText(Reason reason) {
       return Texts::tr("The load is not inside the bounds. Move it or widen the bounds.");
     case Reason::NoModel:
       return Texts::tr("Too few frames so far. Wait a moment; if it stays so, lower probtresh.");
+    case Reason::SearchTooShort:
+      return Texts::tr(
+          "Nothing was found, but the search ends before caution begins. Raise radius or range.");
     case Reason::NothingObserved:
       return Texts::tr("Nothing around the load was ever seen. Turn the camera towards it.");
   }

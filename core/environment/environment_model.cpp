@@ -2,39 +2,9 @@
 
 #include <future>
 
+#include "environment/cell_update.h"
+
 namespace boomwatch {
-namespace {
-
-/// Eq. 8 and 9 over the whole grid, in blocks that stay in the first-level cache: the two loops of
-/// a block each work on one element size, and so vectorise on every x86-64.
-void blend(std::span<float> probabilities, std::span<std::uint8_t> levels,
-           std::span<std::uint8_t> nearness, const ModelParameters& parameters) {
-  constexpr std::size_t block = 2048;
-  const float kept = static_cast<float>(parameters.pPost);
-  const float hit =
-      std::max(static_cast<float>(parameters.pPrior), EnvironmentModel::observedFloor);
-  const float limit = static_cast<float>(parameters.probtresh);
-  std::uint8_t above[block];
-  for (std::size_t begin = 0; begin < levels.size(); begin += block) {
-    const std::size_t count = std::min(block, levels.size() - begin);
-    float* const p = probabilities.data() + begin;
-    std::uint8_t* const level = levels.data() + begin;
-    std::uint8_t* const near = nearness.data() + begin;
-    for (std::size_t k = 0; k < count; ++k) {
-      const float added = near[k] != 0 ? hit : 0.0F;
-      const float updated = kept * p[k] + added;  // Eq. (8)
-      p[k] = updated < EnvironmentModel::observedFloor ? 0.0F : updated;
-      above[k] = p[k] > limit ? 0xFF : 0;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto measured = static_cast<std::uint8_t>(-near[k]);   // 256 - nearness, modulo 256
-      level[k] = above[k] & (near[k] != 0 ? measured : level[k]);  // Eq. (9)
-      near[k] = 0;
-    }
-  }
-}
-
-}  // namespace
 
 EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
     : m_geometry(geometry),
@@ -60,8 +30,9 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
   const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence.masked);
   const std::size_t first = m_geometry.index(0, begin);
   const std::size_t count = m_geometry.index(0, end) - first;
-  blend(std::span(m_probabilities).subspan(first, count), std::span(m_levels).subspan(first, count),
-        std::span(m_nearness).subspan(first, count), parameters);
+  updateCells(std::span(m_probabilities).subspan(first, count),
+              std::span(m_levels).subspan(first, count),
+              std::span(m_nearness).subspan(first, count), parameters);
   for (const HiddenCell& cell : hidden) {
     m_probabilities[cell.index] = cell.probability;
     m_levels[cell.index] = cell.level;
@@ -110,19 +81,6 @@ void EnvironmentModel::set(int column, int row, float probability, std::uint8_t 
   const std::size_t k = m_geometry.index(column, row);
   m_probabilities[k] = probability;
   m_levels[k] = level;
-}
-
-std::optional<int> framesToEnter(const ModelParameters& parameters) {
-  if (parameters.probtresh >= parameters.pPrior / (1.0 - parameters.pPost)) return std::nullopt;
-  // The sum of Eq. (22), as Eq. (8) builds it; it stops growing where float can tell no more apart.
-  float probability = 0.0F;
-  for (int frames = 1;; ++frames) {
-    const float next =
-        static_cast<float>(parameters.pPost) * probability + static_cast<float>(parameters.pPrior);
-    if (next > static_cast<float>(parameters.probtresh)) return frames;
-    if (next <= probability) return std::nullopt;
-    probability = next;
-  }
 }
 
 }  // namespace boomwatch

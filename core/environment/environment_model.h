@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "environment/cell_update.h"
 #include "environment/grid.h"
 #include "frame/cloud.h"
 #include "pipeline/parameters.h"
@@ -14,7 +14,8 @@ namespace boomwatch {
 /// What is known of a cell. Three different facts: nothing, nothing there, something there.
 enum class CellState { NeverObserved, ObservedFree, Occupied };
 
-/// The 2.5-D probabilistic model of the static surroundings (method.md section 6, Eq. 6, 8-11).
+/// The 2.5-D probabilistic model of the static surroundings (method.md section 6, Eq. 6, 8-11,
+/// or another update of the probabilities: see updateCells).
 ///
 /// Row-major arrays of `geometry().columns() x rows()`: a float probability and an 8-bit depth
 /// level a cell, 5 bytes. A level above 0 means occupied. A probability of exactly 0 means the cell
@@ -23,15 +24,10 @@ enum class CellState { NeverObserved, ObservedFree, Occupied };
 /// is unknown, not free. Not thread-safe; copies are independent.
 class EnvironmentModel {
  public:
-  /// Where an observed cell that nothing is measured in any more counts as unobserved again.
-  static constexpr float observedFloor = 1e-3F;
-  /// What a point behind zMax makes of its cell: seen through in this frame.
-  static constexpr float seenThrough = 1e-2F;
-
   EnvironmentModel() : EnvironmentModel(GridGeometry{}) {}
   explicit EnvironmentModel(const GridGeometry& geometry);
 
-  /// One frame: crops to the bounds, projects (nearest point of a cell wins), then Eq. 8 and 9.
+  /// One frame: crops to the bounds, projects (nearest point of a cell wins), then the update.
   /// Points that are not finite or lie before zMin are ignored. A point beyond zMax but inside the
   /// bounds in x and y shows that its cell was looked through: observed, and free in this frame.
   ///
@@ -76,9 +72,5 @@ class EnvironmentModel {
   std::vector<std::uint8_t> m_nearness;  ///< this frame: 256 - level; scratch, 0 between updates
   std::size_t m_frames = 0;
 };
-
-/// Frames in a row that a thing must be seen to enter the model (Eq. 22-23); absent when probtresh
-/// lets nothing through.
-std::optional<int> framesToEnter(const ModelParameters& parameters);
 
 }  // namespace boomwatch

@@ -22,6 +22,8 @@ std::string_view toString(Reason reason) {
       return "load_outside_bounds";
     case Reason::NoModel:
       return "no_model_yet";
+    case Reason::SearchTooShort:
+      return "search_too_short";
     case Reason::NothingObserved:
       return "nothing_observed";
   }

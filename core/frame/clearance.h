@@ -18,6 +18,7 @@ enum class Reason {
   NoLoad,           ///< nobody said where the load is
   LoadOutside,      ///< the load is not inside the bounds
   NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
+  SearchTooShort,   ///< nothing found, but the search ends before the caution distance
   NothingObserved,  ///< less than min_observed of the load's neighbourhood was ever seen
 };
 

@@ -11,6 +11,7 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 2> matcherNames{"sgbm", "bm"};
 constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "radius"};
 constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
+constexpr std::array<std::string_view, 3> updateNames{"thesis", "hysteresis", "log_odds"};
 constexpr std::array<std::string_view, 2> loadNames{"scene", "manual"};
 
 struct Range {
@@ -103,6 +104,32 @@ constexpr auto table = std::to_array<ParameterInfo>({
         "p_post",
         {TR("Model"), TR("p post"), TR("Share of the probability left after each frame (Eq. 8)")},
         {0, 0.999, 0.05}),
+    row<&P::model, &M::update>("model_update",
+                               {TR("Model"), TR("Update"),
+                                TR("thesis: Eq. 8-9, one miss can drop a cell; hysteresis: a cell "
+                                   "leaves only at the leave threshold; log_odds: Bayes' rule")},
+                               {}, updateNames),
+    row<&P::model, &M::leaveThreshold>(
+        "leave_threshold",
+        {TR("Model"), TR("Leave threshold"),
+         TR("hysteresis: at this probability a cell no longer counts; below probtresh")},
+        {0.01, 1, 0.05}),
+    row<&P::model, &M::logOddsHit>(
+        "log_odds_hit",
+        {TR("Model"), TR("Odds hit"), TR("log_odds: probability of a cell that is measured once")},
+        {0.51, 0.99, 0.05}),
+    row<&P::model, &M::logOddsMiss>(
+        "log_odds_miss",
+        {TR("Model"), TR("Odds miss"), TR("log_odds: probability of a cell that is missed once")},
+        {0.1, 0.49, 0.05}),
+    row<&P::model, &M::logOddsLow>(
+        "log_odds_low",
+        {TR("Model"), TR("Odds low"), TR("log_odds: a hit starts from this probability at least")},
+        {0.01, 0.49, 0.05}),
+    row<&P::model, &M::logOddsHigh>(
+        "log_odds_high",
+        {TR("Model"), TR("Odds high"), TR("log_odds: hits raise the probability to this at most")},
+        {0.51, 0.999, 0.05}),
     row<&P::model, &M::memoryLimit>(
         "memory_limit",
         {TR("Model"), TR("Memory limit"), TR("Memory that the model may take"), "MB"},
@@ -272,6 +299,10 @@ constexpr auto table = std::to_array<ParameterInfo>({
             "changes are seen 4 frames later; 1 is off"),
          "frames"},
         {1, 200, 5}),
+    row<&P::stereo, &S::refine>("stereo_refine",
+                                {TR("Stereo"), TR("Refine"),
+                                 TR("Turn the right camera by up to a degree, so that the rows of "
+                                    "both pictures agree")}),
     row<&P::stereo, &S::smooth>(
         "stereo_smooth",
         {TR("Stereo"), TR("Smooth"),

@@ -4,6 +4,7 @@
 #include <locale>
 #include <sstream>
 
+#include "environment/cell_update.h"
 #include "environment/grid.h"
 #include "frame/error.h"
 
@@ -47,24 +48,9 @@ void requireTimesInOrder(const WarningParameters& warning) {
               "Set warning_time to caution_time or less, or caution_time to 0 (off).");
 }
 
-/// "Nothing in range" is shown as clear, so the search has to reach as far as caution begins.
-void requireReach(const Parameters& p) {
-  const double caution = p.warning.cautionDistance;
-  const std::string than = " m, less than caution_distance (" + format(caution) + " m)";
-  if (p.clearance.method == ClearanceMethod::Exact && p.clearance.range < caution) {
-    throw Error("parameter 'range'",
-                "the search ends at " + format(p.clearance.range) + than +
-                    ": what is between would be called clear",
-                "Raise range or lower caution_distance.");
-  }
-  const double ray = p.clearance.radius * p.model.resolution;
-  if (p.clearance.method == ClearanceMethod::Rays && ray < caution * (1.0 - 1e-9)) {
-    throw Error("parameter 'radius'",
-                "a ray of " + std::to_string(p.clearance.radius) + " cells ends at " + format(ray) +
-                    than + ": what is between would be called clear",
-                "Set radius to " + format(std::ceil(caution / p.model.resolution - 1e-9)) +
-                    " or more, or lower caution_distance.");
-  }
+void requireThresholdsApart(const ModelParameters& model) {
+  if (model.update != ModelUpdate::Hysteresis) return;
+  requireOrder("leave_threshold", model.leaveThreshold, "probtresh", model.probtresh);
 }
 
 /// Outside the bounds every point would count as seen through, and what they show as free.
@@ -103,17 +89,42 @@ void validate(const Parameters& p) {
                p.warning.cautionDistance);
   requireTimesInOrder(p.warning);
   requireModelFits(p);
-  requireReach(p);
+  requireThresholdsApart(p.model);
   requireReprojectionInside(p);
   requireMatcherSettings(p.stereo);
 }
 
+double searchReach(const Parameters& p) {
+  return p.clearance.method == ClearanceMethod::Rays ? p.clearance.radius * p.model.resolution
+                                                     : p.clearance.range;
+}
+
+bool searchIsShort(const Parameters& p) {
+  return searchReach(p) < p.warning.cautionDistance * (1.0 - 1e-9);
+}
+
 std::vector<ParameterWarning> warningsFor(const Parameters& p) {
   std::vector<ParameterWarning> warnings;
-  if (p.model.probtresh >= p.model.pPrior / (1.0 - p.model.pPost)) {
-    warnings.push_back({"probtresh",
-                        "probtresh is at or above p_prior / (1 - p_post), the highest probability "
-                        "a cell can reach: nothing enters the model"});
+  if (!framesToEnter(p.model)) {
+    const bool odds = p.model.update == ModelUpdate::LogOdds;
+    warnings.push_back({ParameterRemark::NothingEnters, "probtresh",
+                        std::string("probtresh is at or above ") +
+                            (odds ? "log_odds_high" : "p_prior / (1 - p_post)") +
+                            ", the highest probability a cell can reach: nothing enters the "
+                            "model"});
+  }
+  if (!letsGo(p.model)) {
+    warnings.push_back({ParameterRemark::NothingLeaves, "probtresh",
+                        "probtresh is so low that a cell which is looked through stays occupied: "
+                        "what has entered the model never leaves"});
+  }
+  // "Nothing in range" is shown as clear, so it has to reach as far as caution begins.
+  if (searchIsShort(p)) {
+    const bool rays = p.clearance.method == ClearanceMethod::Rays;
+    warnings.push_back({ParameterRemark::SearchTooShort, rays ? "radius" : "range",
+                        "the search ends at " + format(searchReach(p)) +
+                            " m, before caution_distance (" + format(p.warning.cautionDistance) +
+                            " m): where it finds nothing there is no distance, rather than clear"});
   }
   return warnings;
 }

@@ -14,6 +14,7 @@ namespace boomwatch {
 enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
+enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
 enum class LoadSource { Scene, Manual };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
 
@@ -30,8 +31,9 @@ struct StereoParameters {
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
   double texture = 0.2;
-  int average = 1;  ///< frames of a still camera that a disparity is the mean of; 1 is off
-  int smooth = 0;   ///< width of the neighbourhood that a disparity is the mean of; 0 is off
+  int average = 1;      ///< frames of a still camera that a disparity is the mean of; 1 is off
+  bool refine = false;  ///< turn the right camera so that the rows of both pictures agree
+  int smooth = 0;       ///< width of the neighbourhood that a disparity is the mean of; 0 is off
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.
@@ -47,13 +49,19 @@ struct FilterParameters {
   int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are noise
 };
 
-/// The environment model (method.md section 6, Eq. 6-11).
+/// The environment model (method.md section 6, Eq. 6-11; updateCells says what each value does).
 struct ModelParameters {
   double resolution = 0.04;  ///< R, metres a cell
   double probtresh = 0.5;    ///< P_limit
   double pPrior = 0.2;       ///< added by a hit
   double pPost = 0.7;        ///< what is left after a frame
-  int memoryLimit = 1024;    ///< megabytes the model may take
+  ModelUpdate update = ModelUpdate::Thesis;
+  double leaveThreshold = 0.1;  ///< hysteresis: at and below it a cell leaves
+  double logOddsHit = 0.7;      ///< log-odds: P(occupied) that a measurement alone would give
+  double logOddsMiss = 0.4;     ///< log-odds: P(occupied) that a miss alone would give
+  double logOddsLow = 0.12;     ///< log-odds: the least that a hit starts from
+  double logOddsHigh = 0.97;    ///< log-odds: the most that hits lead to
+  int memoryLimit = 1024;       ///< megabytes the model may take
 };
 
 /// The search for the nearest thing (method.md section 7).
@@ -111,17 +119,28 @@ struct Parameters {
   ValidityParameters validity;
 };
 
-/// Something to say about a set of parameters that is accepted but will not do what it seems to.
-struct ParameterWarning {
-  std::string_view key;
-  std::string message;  ///< English; the window translates it by key
+/// What there is to say about parameters that are accepted but will not do what they seem to.
+enum class ParameterRemark {
+  NothingEnters,   ///< probtresh is at or above the highest probability a cell can reach
+  NothingLeaves,   ///< so low a threshold that a cell which is looked through stays occupied
+  SearchTooShort,  ///< with nothing found there is no distance, rather than clear
 };
+struct ParameterWarning {
+  ParameterRemark remark = ParameterRemark::NothingEnters;
+  std::string_view key;
+  std::string message;  ///< English; the window has words of its own for each remark
+};
+
+/// How far from the load the clearance method in force looks, metres.
+double searchReach(const Parameters& parameters);
+
+/// Whether that is less than the caution distance: then nothing found does not mean clear.
+bool searchIsShort(const Parameters& parameters);
 
 /// Throws Error naming the keys when values contradict each other (min >= max, a model larger than
 /// memory_limit, an even block size, ...). Single ranges are checked where a value is set.
 void validate(const Parameters& parameters);
 
-/// E.g. probtresh at or above the fixed point p_prior / (1 - p_post) of Eq. 8.
 std::vector<ParameterWarning> warningsFor(const Parameters& parameters);
 
 }  // namespace boomwatch

@@ -127,6 +127,7 @@ bool Pipeline::State::sense(Result& result) {
         stereo.process(frame.left, frame.right, *frame.rig, result.parameters.stereo);
     result.image = stereoResult.left;
     result.cloud = stereoResult.cloud;
+    result.rowResidue = stereoResult.rowResidue;
     depthPerPixel = 1.0 / (stereoResult.focalLength * stereoResult.baseline);
     return true;
   } catch (const Error& fault) {
@@ -170,9 +171,17 @@ Clearance Pipeline::State::measure(const OrientedBox& load, const Parameters& pa
   Clearance clearance = method.method == ClearanceMethod::Exact
                             ? exact.query(load, method.range)
                             : rayClearance(model, load, method.interval, method.radius);
+  const double searched = searchReach(parameters);
+  // Rays may meet something farther away than they are long, in front of what they did not reach.
+  if (searchIsShort(parameters) &&
+      !(clearance.nearest && clearance.nearest->distance <= searched)) {
+    clearance.state = ClearanceState::Unknown;
+    clearance.reason = Reason::SearchTooShort;
+    clearance.nearest.reset();
+  }
   // With nothing in range, "clear" promises something about the caution zone.
-  const double reach =
-      clearance.nearest ? clearance.nearest->distance : parameters.warning.cautionDistance;
+  const double reach = clearance.nearest ? clearance.nearest->distance
+                                         : std::min(searched, parameters.warning.cautionDistance);
   const double share = observed.query(load, reach) * watchedDepth(load, reach, parameters.bounds);
   if (share < std::max(parameters.validity.minObserved, noShare) &&
       !(clearance.nearest && reach == 0.0)) {

@@ -156,6 +156,13 @@ std::shared_ptr<const Cloud> reproject(const cv::Mat& disparity, const Projectio
   return cloud;
 }
 
+cv::Mat remapped(const cv::Mat& image, const cv::Mat& xy, const cv::Mat& weights) {
+  if (xy.empty()) return image;
+  cv::Mat result;
+  cv::remap(image, result, xy, weights, cv::INTER_LINEAR);
+  return result;
+}
+
 bool same(const cv::Mat& a, const cv::Mat& b) {
   return a.size() == b.size() && (a.empty() || cv::norm(a, b, cv::NORM_INF) == 0);
 }
@@ -172,8 +179,12 @@ bool same(const StereoRig& a, const StereoRig& b) {
 struct StereoStage::Maps {
   StereoRig rig;
   cv::Size size;
-  cv::Mat leftXy, leftWeights, rightXy, rightWeights;  // empty when the rig is rectified
+  cv::Mat leftXy, leftWeights;    // empty when the rig is rectified
+  cv::Mat rightXy, rightWeights;  // empty when, besides, the right camera is not turned
   Projection projection;
+  cv::Matx33d rightRotation = cv::Matx33d::eye();  // of the rectification
+  cv::Matx33d rightCamera;                         // rectified
+  cv::Matx33d turn = cv::Matx33d::eye();           // of the right camera, on top of it
 
   Maps(const StereoRig& from, cv::Size imageSize) : rig(from), size(imageSize) {
     // The caller may go on to write into its matrices.
@@ -184,6 +195,7 @@ struct StereoStage::Maps {
       projection = {
           left(0, 0),    left(1, 1), left(0, 2), left(1, 2), rig.rightMatrix(0, 2) - left(0, 2),
           rig.baseline()};
+      rightCamera = rig.rightMatrix;
     } else {
       rectify();
     }
@@ -198,7 +210,24 @@ struct StereoStage::Maps {
     return size == imageSize && same(rig, other);
   }
 
+  // Turns the right camera, and says whether that changed anything.
+  bool turnRight(const cv::Matx33d& by) {
+    if (turn == by) return false;
+    turn = by;
+    mapRight();
+    return true;
+  }
+
  private:
+  void mapRight() {
+    if (rig.rectified && turn == cv::Matx33d::eye()) {  // remapping would only blur it
+      rightXy = rightWeights = cv::Mat();
+      return;
+    }
+    cv::initUndistortRectifyMap(rig.rightMatrix, rig.rightDistortion, turn * rightRotation,
+                                rightCamera, size, CV_16SC2, rightXy, rightWeights);
+  }
+
   void rectify() {
     cv::Mat r1, r2, q;
     cv::Matx34d p1, p2;
@@ -208,8 +237,9 @@ struct StereoStage::Maps {
                         rig.translation, r1, r2, p1, p2, q, cv::CALIB_ZERO_DISPARITY, 0);
       cv::initUndistortRectifyMap(m1, rig.leftDistortion, r1, p1, size, CV_16SC2, leftXy,
                                   leftWeights);
-      cv::initUndistortRectifyMap(m2, rig.rightDistortion, r2, p2, size, CV_16SC2, rightXy,
-                                  rightWeights);
+      rightRotation = r2;
+      rightCamera = p2.get_minor<3, 3>(0, 0);
+      mapRight();
     } catch (const cv::Exception& fault) {
       throw Error("stereo calibration", "OpenCV cannot rectify with it (" + fault.err + ")",
                   "Calibrate anew.");
@@ -232,19 +262,18 @@ StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, con
       "Give the calibration of this recording.");
   if (!m_maps || !m_maps->fits(rig, left.size())) {
     m_maps = std::make_unique<Maps>(rig, left.size());
+    m_rows = RowAlignment();
     m_smoother.reset();
   }
+  const auto& fit = m_rows.fit();
+  const bool refined = parameters.refine && fit && fit->worthwhile();
+  if (m_maps->turnRight(refined ? fit->turn : cv::Matx33d::eye())) m_smoother.reset();
   StereoResult result;
-  cv::Mat rectifiedRight = grey(right);
-  result.left = left;
-  if (!rig.rectified) {
-    const cv::Mat rightIn = rectifiedRight;
-    rectifiedRight = cv::Mat();
-    result.left = cv::Mat();
-    cv::remap(left, result.left, m_maps->leftXy, m_maps->leftWeights, cv::INTER_LINEAR);
-    cv::remap(rightIn, rectifiedRight, m_maps->rightXy, m_maps->rightWeights, cv::INTER_LINEAR);
-  }
+  result.left = remapped(left, m_maps->leftXy, m_maps->leftWeights);
+  const cv::Mat rectifiedRight = remapped(grey(right), m_maps->rightXy, m_maps->rightWeights);
   const cv::Mat matched = matchDisparity(result.left, rectifiedRight, parameters);
+  m_rows.look(grey(result.left), rectifiedRight, matched, m_maps->rightCamera);
+  if (fit) result.rowResidue = refined ? fit->remaining : fit->residue;
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
   result.cloud = reproject(result.disparity, m_maps->projection);

@@ -6,6 +6,7 @@
 #include "frame/cloud.h"
 #include "pipeline/parameters.h"
 #include "stereo/disparity_smoother.h"
+#include "stereo/row_alignment.h"
 #include "stereo/stereo_rig.h"
 
 namespace boomwatch {
@@ -17,14 +18,19 @@ struct StereoResult {
   std::shared_ptr<const Cloud> cloud;
   double focalLength = 0.0;  ///< pixels, of the rectified pair
   double baseline = 0.0;     ///< metres
+  /// How far the rows of left and right differ, pixels, by features of the first frames; absent
+  /// until those are seen, and where they show too little. See mostRowResidue. With `refine` what
+  /// is left after the correction.
+  std::optional<double> rowResidue;
 };
 
 /// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject
 /// (method.md section 2, Eq. 5).
 ///
-/// Keeps the rectification maps between frames; they are made anew when the rig changes. With
-/// `average` above 1 it also keeps the mean disparities of the last frames.
-/// Used by one thread.
+/// Keeps the rectification maps between frames; they are made anew when the rig changes. The first
+/// frames of a rig show how far its rows differ; with `refine` the right camera is turned from then
+/// on so that they do not (see RowFit). With `average` above 1 it also keeps the mean disparities
+/// of the last frames. Used by one thread.
 class StereoStage {
  public:
   StereoStage();
@@ -38,6 +44,7 @@ class StereoStage {
  private:
   struct Maps;
   std::unique_ptr<Maps> m_maps;
+  RowAlignment m_rows;
   DisparitySmoother m_smoother;
 };
 

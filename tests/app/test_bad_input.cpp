@@ -250,9 +250,8 @@ void TestBadInput::parameters_data() {
   row("too much memory", {"resolution=0.001"}, "1150 MB, more than memory_limit (1024 MB)");
   row("a division by zero in the matcher", {"stereo_uniqueness=100"}, "stereo_uniqueness");
   row("a block that sgbm refuses", {"stereo_block_size=51"}, "sgbm takes at most 15");
-  row("a search that ends before caution begins", {"range=0.5"}, "Raise range");
-  row("rays that end before caution begins", {"clearance_method=rays", "radius=10"},
-      "Set radius to 50 or more");
+  row("a leave threshold above the other", {"model_update=hysteresis", "leave_threshold=0.6"},
+      "'leave_threshold' and 'probtresh': 0.6 is not below 0.5");
   row("a reprojection out of the bounds", {"z_reprojection=11"}, "z_max (10)");
   for (const char* load : {"nan,0,2,1,1,1,0,0,0", "0,0,2,1e308,1,1,0,0,0", "0,0,2,0,1,1,0,0,0"}) {
     QTest::addRow("load %s", load) << QStringList{"--load", load} << QByteArray("is not among");

@@ -13,6 +13,7 @@ class TestNoFalseClear : public QObject {
   void aLoadThatTouchesTheFarBoundIsNotCalledClear();
   void whatGivesNoDepthAnyMoreIsNotCalledClear();
   void surfacesThatAreTakenForNoiseAreNotCalledFree();
+  void whatRaysAreTooShortForIsNotCalledClear();
 
  private:
   QString path(const QString& name) const { return m_folder.filePath(name); }
@@ -54,6 +55,26 @@ void TestNoFalseClear::surfacesThatAreTakenForNoiseAreNotCalledFree() {
   const ProgramRun coarse = runWithLoad("cloud:" + path("noise"), {"--set", "resolution=0.12"});
   QVERIFY(coarse.lines.constLast()["distance_m"].toDouble() < 0.9);
   QCOMPARE(coarse.lines.constLast()["level"].toString(), QStringLiteral("warning"));
+}
+
+/// The ground is 4.9 m behind the load, and a pillar stands 1.7 m beside it: rays of 0.8 m see the
+/// first alone.
+void TestNoFalseClear::whatRaysAreTooShortForIsNotCalledClear() {
+  for (int i = 0; i < 8; ++i) {
+    writeCloud(path(QString("pillar/%1.pcd").arg(i)),
+               [i](int x, int) { return unsteady(x >= cloudSide - 5 ? 2.0F : 7.0F, i); });
+  }
+  const QString pillar = "cloud:" + path("pillar");
+  const QJsonObject truth = runWithLoad(pillar).lines.constLast();
+  QVERIFY(truth["distance_m"].toDouble() > 1.6 && truth["distance_m"].toDouble() < 1.75);
+  const QStringList rays{"--set", "clearance_method=rays", "--set"};
+  const ProgramRun brief = runWithLoad(pillar, rays + QStringList{"radius=20"});
+  QCOMPARE(brief.lines.constLast()["reason"].toString(), QStringLiteral("search_too_short"));
+  QCOMPARE(brief.lines.constLast()["level"].toString(), QStringLiteral("no_distance"));
+  QVERIFY(brief.lines.constLast()["distance_m"].isNull());
+  QVERIFY(brief.errors.contains("the search ends at 0.8 m"));
+  const ProgramRun longer = runWithLoad(pillar, rays + QStringList{"radius=50"});
+  QCOMPARE(longer.lines.constLast()["level"].toString(), QStringLiteral("caution"));
 }
 
 QTEST_GUILESS_MAIN(TestNoFalseClear)

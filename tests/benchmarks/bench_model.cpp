@@ -63,11 +63,20 @@ int main() {
       bench::medianMilliseconds(51, [&] { model.update(points, boomwatch::ModelParameters{}); });
   const double decay =
       bench::medianMilliseconds(51, [&] { model.update({}, boomwatch::ModelParameters{}); });
+  const auto timeOf = [&](boomwatch::ModelUpdate update) {
+    EnvironmentModel other(geometry);
+    return bench::medianMilliseconds(
+        51, [&] { other.update(points, boomwatch::ModelParameters{.update = update}); });
+  };
+  const double hysteresis = timeOf(boomwatch::ModelUpdate::Hysteresis);
+  const double logOdds = timeOf(boomwatch::ModelUpdate::LogOdds);
   bench::print("memory_bandwidth", bandwidth / 1e6, "GB/s", "-");
   bench::print("model_memory_time", memory, "ms", "-");
   bench::print("model_update", update, "ms", "-");
   bench::print("model_update_empty_frame", decay, "ms", "-");
   bench::print("model_update_ratio", update / memory, "x", "<=3");
+  bench::print("model_update_hysteresis_ratio", hysteresis / memory, "x", "<=3");
+  bench::print("model_update_log_odds_ratio", logOdds / memory, "x", "<=3");
 
   octomap::Pointcloud cloud;
   for (const auto& p : points) {

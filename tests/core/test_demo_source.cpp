@@ -299,20 +299,21 @@ class TestDemoSource : public QObject {
     const auto source = openDemoSource(name.toStdString(), "");
     std::vector<Vector3d> centres;
     int touching = 0;
-    for (auto read = source->next(patience); read.status == ReadResult::Status::Ok;
-         read = source->next(patience)) {
-      centres.push_back(read.frame->load.value().centre);
-      touching += read.frame->truth->distance == 0.0;
+    // Every fifth frame: to draw all of them takes minutes under ThreadSanitizer.
+    for (std::size_t k = 0; k < 600; k += 5) {
+      QVERIFY(source->seek(k));
+      const FramePtr frame = source->next(patience).frame;
+      centres.push_back(frame->load.value().centre);
+      touching += frame->truth->distance == 0.0;
     }
-    QCOMPARE(centres.size(), std::size_t(600));
-    QVERIFY(touching > 5 && touching < 300);
-    for (std::size_t k = 0; k < 600; ++k) {
-      const Vector3d step = centres[(k + 1) % 600] - centres[k];
-      const int axis = int(k / 200);
+    QVERIFY(touching > 1 && touching < 60);
+    for (std::size_t k = 0; k < centres.size(); ++k) {
+      const Vector3d step = centres[(k + 1) % centres.size()] - centres[k];
+      const int axis = int(k / 40);
       for (int other = 0; other < 3; ++other) {
         if (other != axis) QVERIFY(std::abs(step[other]) < 1e-9);
       }
-      QVERIFY(step.norm() < 0.1);
+      QVERIFY(step.norm() < 0.5);
     }
     for (int axis = 0; axis < 3; ++axis) {
       double most = 0.0;

@@ -32,7 +32,7 @@ class PlainModel {
       if (i < 0 || j < 0 || i >= m_geometry.columns() || j >= m_geometry.rows()) continue;
       const std::size_t k = m_geometry.index(static_cast<int>(i), static_cast<int>(j));
       if (p.z() > b.zMax) {
-        probability[k] = std::max(probability[k], double{EnvironmentModel::seenThrough});
+        probability[k] = std::max(probability[k], double{boomwatch::seenThrough});
         continue;
       }
       const double depth = std::round(255.0 * (p.z() - b.zMin) / (b.zMax - b.zMin));
@@ -42,7 +42,7 @@ class PlainModel {
     }
     for (std::size_t k = 0; k < probability.size(); ++k) {
       probability[k] = parameters.pPost * probability[k] + (measured[k] ? parameters.pPrior : 0.0);
-      if (probability[k] < double{EnvironmentModel::observedFloor}) probability[k] = 0.0;
+      if (probability[k] < double{boomwatch::observedFloor}) probability[k] = 0.0;
       if (probability[k] <= parameters.probtresh) {
         level[k] = 0;
       } else if (measured[k]) {
@@ -190,7 +190,7 @@ class TestEnvironmentModel : public QObject {
     points.front().z() = std::nextafter(3.0F, 4.0F);
     for (int frame = 0; frame < 50; ++frame) model.update(points, ModelParameters{});
     QCOMPARE(model.state(5, 5), CellState::ObservedFree);
-    QVERIFY(model.probabilities()[model.geometry().index(5, 5)] <= EnvironmentModel::seenThrough);
+    QVERIFY(model.probabilities()[model.geometry().index(5, 5)] <= boomwatch::seenThrough);
   }
 
   void whatIsNotAPointInTheBoundsIsIgnored() {

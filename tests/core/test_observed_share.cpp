@@ -66,7 +66,7 @@ EnvironmentModel observed(const GridGeometry& geometry, auto&& which) {
   EnvironmentModel model(geometry);
   for (int j = 0; j < geometry.rows(); ++j) {
     for (int i = 0; i < geometry.columns(); ++i) {
-      if (which(i, j)) model.set(i, j, EnvironmentModel::observedFloor, 0);
+      if (which(i, j)) model.set(i, j, boomwatch::observedFloor, 0);
     }
   }
   return model;

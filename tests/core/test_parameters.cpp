@@ -27,10 +27,26 @@ class TestParameters : public QObject {
   Q_OBJECT
  private slots:
   void theTableHoldsTheKeysThatPeopleWereToldOf() {
-    for (const char* key :
-         {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max", "z_reprojection", "low_pass",
-          "resolution", "probtresh", "p_prior", "p_post", "cluster_tolerance", "cluster_minimum",
-          "interval", "radius", "clearance_method", "memory_limit"}) {
+    for (const char* key : {"x_min",
+                            "x_max",
+                            "y_min",
+                            "y_max",
+                            "z_min",
+                            "z_max",
+                            "z_reprojection",
+                            "low_pass",
+                            "resolution",
+                            "probtresh",
+                            "p_prior",
+                            "p_post",
+                            "cluster_tolerance",
+                            "cluster_minimum",
+                            "interval",
+                            "radius",
+                            "clearance_method",
+                            "memory_limit",
+                            "model_update",
+                            "leave_threshold"}) {
       QCOMPARE(text(findParameter(key).key), QString(key));
     }
   }
@@ -160,6 +176,7 @@ class TestParameters : public QObject {
     row("y_max=-6", {"y_min", "y_max"});
     row("z_min=10 z_max=10", {"z_min", "z_max", "10 is not below 10"});
     row("warning_distance=3", {"warning_distance", "caution_distance"});
+    row("model_update=hysteresis probtresh=0.1", {"leave_threshold", "probtresh"});
     row("stereo_disparities=40", {"stereo_disparities", "16"});
     row("stereo_block_size=6", {"stereo_block_size", "odd"});
     row("stereo_block_size=3 stereo_matcher=bm", {"stereo_block_size", "5"});
@@ -202,25 +219,39 @@ class TestParameters : public QObject {
   }
 
   // Eq. 8 has the fixed point p_prior / (1 - p_post): 2/3 by default.
-  void aThresholdThatNothingCanPassIsRemarkedOn_data() {
-    QTest::addColumn<double>("probtresh");
-    QTest::addColumn<double>("post");
-    QTest::addColumn<bool>("remarked");
-    QTest::newRow("below") << 0.66 << 0.7 << false;
-    QTest::newRow("above") << 0.67 << 0.7 << true;
-    QTest::newRow("at") << 0.4 << 0.5 << true;
-    QTest::newRow("just below") << 0.3999 << 0.5 << false;
+  void whatWillNotDoWhatItSeemsToIsRemarkedOn_data() {
+    QTest::addColumn<QString>("settings");
+    QTest::addColumn<QString>("key");  // empty: nothing to say
+    const auto row = [](const char* settings, const char* key) {
+      QTest::newRow(settings) << settings << key;
+    };
+    row("probtresh=0.66", "");
+    row("probtresh=0.67", "probtresh");
+    row("probtresh=0.4 p_post=0.5", "probtresh");
+    row("probtresh=0.3999 p_post=0.5", "");
+    row("probtresh=0.67 model_update=hysteresis", "probtresh");
+    row("probtresh=0.9 model_update=log_odds", "");
+    row("probtresh=0.97 model_update=log_odds", "probtresh");
+    row("probtresh=0", "probtresh");
+    row("probtresh=0.01 leave_threshold=0.5", "");
+    row("range=1.9", "range");
+    row("range=2", "");
+    row("clearance_method=rays radius=49", "radius");
+    row("clearance_method=rays radius=50", "");
+    row("radius=1", "");
   }
-  void aThresholdThatNothingCanPassIsRemarkedOn() {
-    QFETCH(double, probtresh);
-    QFETCH(double, post);
-    QFETCH(bool, remarked);
+  void whatWillNotDoWhatItSeemsToIsRemarkedOn() {
+    QFETCH(QString, settings);
+    QFETCH(QString, key);
     Parameters parameters;
-    parameters.model.probtresh = probtresh;
-    parameters.model.pPost = post;
+    for (const QString& setting : settings.split(' ')) {
+      const QStringList pair = setting.split('=');
+      setParameter(parameters, pair[0].toStdString(), pair[1].toStdString());
+    }
+    QVERIFY(errorOf([&] { validate(parameters); }).isEmpty());
     const auto warnings = warningsFor(parameters);
-    QCOMPARE(warnings.size(), std::size_t(remarked));
-    if (remarked) QCOMPARE(text(warnings[0].key), QString("probtresh"));
+    QCOMPARE(warnings.size(), std::size_t(!key.isEmpty()));
+    if (!key.isEmpty()) QCOMPARE(text(warnings[0].key), key);
   }
 };
 

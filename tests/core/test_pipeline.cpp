@@ -50,7 +50,8 @@ class TestPipeline : public QObject {
   void aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel();
   void aFewLostFramesCostNothing();
   void nothingAroundTheLoadIsUnknownEvenWhereNoShareIsAskedFor();
-  void aSearchThatEndsBeforeCautionBeginsIsRefused();
+  void aSearchThatEndsBeforeCautionBeginsIsNeverClear_data();
+  void aSearchThatEndsBeforeCautionBeginsIsNeverClear();
   void aFrameWithoutAnythingIsUnreadable();
   void rays_data();
   void rays();
@@ -287,15 +288,36 @@ void TestPipeline::nothingAroundTheLoadIsUnknownEvenWhereNoShareIsAskedFor() {
   QCOMPARE(text(result.level), text(WarningLevel::NoDistance));
 }
 
-void TestPipeline::aSearchThatEndsBeforeCautionBeginsIsRefused() {
+void TestPipeline::aSearchThatEndsBeforeCautionBeginsIsNeverClear_data() {
+  QTest::addColumn<ClearanceMethod>("method");
+  QTest::addColumn<double>("range");
+  QTest::addColumn<int>("radius");
+  QTest::addColumn<bool>("measured");
+  // The wall is 1.3 m behind the load; caution begins at 2 m.
+  QTest::newRow("exact, too short") << ClearanceMethod::Exact << 1.2 << 70 << false;
+  QTest::newRow("exact, long enough") << ClearanceMethod::Exact << 1.4 << 70 << true;
+  // Rays see what is behind the load at any distance, but nothing beside it beyond their length.
+  QTest::newRow("rays, too short") << ClearanceMethod::Rays << 10.0 << 24 << false;
+  QTest::newRow("rays, long enough") << ClearanceMethod::Rays << 10.0 << 28 << true;
+}
+
+void TestPipeline::aSearchThatEndsBeforeCautionBeginsIsNeverClear() {
+  QFETCH(ClearanceMethod, method);
+  QFETCH(double, range);
+  QFETCH(int, radius);
+  QFETCH(bool, measured);
   Parameters parameters = smallParameters();
-  parameters.clearance.range = 1.9;
+  hangLoad(parameters, 1.5);
+  parameters.clearance = {method, 8, radius, range};
   Pipeline pipeline;
-  QVERIFY_EXCEPTION_THROWN(pipeline.process(wallFrame(0, 3.0F), parameters), Error);
-  parameters.clearance.range = 2.0;
-  parameters.clearance.method = ClearanceMethod::Rays;
-  parameters.clearance.radius = 1;
-  QVERIFY_EXCEPTION_THROWN(pipeline.process(wallFrame(0, 3.0F), parameters), Error);
+  const Result result = runWall(pipeline, parameters, 5, 3.0F);
+  QCOMPARE(result.clearance.nearest.has_value(), measured);
+  QCOMPARE(result.clearance.rays.empty(), method == ClearanceMethod::Exact);
+  QCOMPARE(text(result.level), text(measured ? WarningLevel::Caution : WarningLevel::NoDistance));
+  QCOMPARE(text(result.clearance.reason), text(measured ? Reason::None : Reason::SearchTooShort));
+  if (!measured) return;
+  QVERIFY(std::abs(result.clearance.nearest->distance - 1.3) <=
+          result.clearance.nearest->quantisation + 1e-9);
 }
 
 void TestPipeline::aFrameWithoutAnythingIsUnreadable() {

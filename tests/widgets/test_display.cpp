@@ -91,7 +91,7 @@ void TestDisplay::theModelImageShowsEveryCell() {
     model->set(k % 40, k / 40, 0.6F, static_cast<std::uint8_t>(k + 1));
   }
   model->set(0, 10, 0.3F, 0);
-  model->set(1, 10, EnvironmentModel::observedFloor, 0);
+  model->set(1, 10, boomwatch::observedFloor, 0);
   result->model = model;
   const auto display = makeDisplay(result, options);
   QCOMPARE(display->model.size(), QSize(40, 20));

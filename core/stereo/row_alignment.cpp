@@ -1,0 +1,124 @@
+#include "stereo/row_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+namespace boomwatch {
+namespace {
+
+// A calibration that is worse than this gives no disparities to begin at.
+constexpr double mostRows = 8.0;
+constexpr std::size_t fewestMatches = 60;
+constexpr double widestTurn = std::numbers::pi / 180.0;
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What a turn by (about x, about z) does to the row of a right ray, to first order, pixels; then
+/// what may be mistaken for it: a difference in focal length, and a turn about y.
+cv::Vec4d rowPer(const RowMatch& match, const cv::Matx33d& camera) {
+  const double f = camera(1, 1);
+  const double x = (match.right.x - camera(0, 2)) / camera(0, 0);
+  const double y = (match.right.y - camera(1, 2)) / f;
+  return {-f * (1.0 + y * y), f * x, f * y, f * x * y};
+}
+
+double rowsApart(const RowMatch& match) { return match.right.y - match.left.y; }
+
+/// Least squares of the rows by those four, without matches that are off by more than three times
+/// the median.
+cv::Vec4d fitted(const std::vector<RowMatch>& matches, const cv::Matx33d& camera) {
+  cv::Vec4d terms = cv::Vec4d::all(0.0);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<double> rest;
+    for (const RowMatch& m : matches) {
+      rest.push_back(std::abs(rowsApart(m) - rowPer(m, camera).dot(terms)));
+    }
+    const double scale = std::max(3.0 * medianOf(rest), 0.05);
+    cv::Matx44d normal = cv::Matx44d::eye() * 1e-6;
+    cv::Vec4d sum = cv::Vec4d::all(0.0);
+    for (std::size_t k = 0; k < matches.size(); ++k) {
+      if (rest[k] > scale) continue;
+      const cv::Vec4d row = rowPer(matches[k], camera);
+      normal += row * row.t();
+      sum += rowsApart(matches[k]) * row;
+    }
+    terms = normal.solve(sum, cv::DECOMP_CHOLESKY);
+  }
+  return terms;
+}
+
+std::vector<cv::Point2f> cornersWithDisparity(const cv::Mat& left, const cv::Mat& disparity) {
+  constexpr int most = 500;
+  constexpr int apart = 12;
+  std::vector<cv::Point2f> corners;
+  cv::goodFeaturesToTrack(left, corners, most, 0.01, apart, disparity == disparity);
+  return corners;
+}
+
+}  // namespace
+
+std::vector<RowMatch> matchRows(const cv::Mat& left, const cv::Mat& right,
+                                const cv::Mat& disparity) {
+  const std::vector<cv::Point2f> corners = cornersWithDisparity(left, disparity);
+  std::vector<RowMatch> matches;
+  if (corners.empty()) return matches;
+  std::vector<cv::Point2f> there = corners;
+  for (cv::Point2f& p : there) p.x -= disparity.at<float>(cvRound(p.y), cvRound(p.x));
+  const std::vector<cv::Point2f> guess = there;
+  std::vector<cv::Point2f> back = corners;
+  std::vector<std::uint8_t> found, foundBack;
+  const cv::Size window(15, 15);
+  const cv::TermCriteria end(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.005);
+  constexpr int levels = 1;
+  constexpr int begin = cv::OPTFLOW_USE_INITIAL_FLOW;
+  cv::calcOpticalFlowPyrLK(left, right, corners, there, found, {}, window, levels, end, begin);
+  cv::calcOpticalFlowPyrLK(right, left, there, back, foundBack, {}, window, levels, end, begin);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const bool returned = found[k] && foundBack[k] && cv::norm(back[k] - corners[k]) < 0.2;
+    if (!returned || std::abs(there[k].x - guess[k].x) > 2.0F) continue;
+    if (std::abs(there[k].y - corners[k].y) > mostRows) continue;
+    matches.push_back({corners[k], there[k]});
+  }
+  return matches;
+}
+
+bool RowFit::worthwhile() const {
+  constexpr double leastGain = 0.2;
+  cv::Vec3d angles;
+  cv::Rodrigues(turn, angles);
+  return residue - remaining > leastGain && cv::norm(angles) < widestTurn;
+}
+
+std::optional<RowFit> fitRows(const std::vector<RowMatch>& matches, const cv::Matx33d& camera) {
+  if (matches.size() < fewestMatches) return std::nullopt;
+  const cv::Vec4d terms = fitted(matches, camera);
+  const cv::Vec4d applied(terms[0], terms[1], 0.0, 0.0);
+  std::vector<double> before, after;
+  for (const RowMatch& match : matches) {
+    before.push_back(std::abs(rowsApart(match)));
+    after.push_back(std::abs(rowsApart(match) - rowPer(match, camera).dot(applied)));
+  }
+  RowFit fit{medianOf(before), medianOf(after)};
+  cv::Rodrigues(cv::Vec3d(-terms[0], 0.0, -terms[1]), fit.turn);
+  return fit;
+}
+
+void RowAlignment::look(const cv::Mat& left, const cv::Mat& right, const cv::Mat& disparity,
+                        const cv::Matx33d& camera) {
+  if (done()) return;
+  const std::vector<RowMatch> matches = matchRows(left, right, disparity);
+  m_matches.insert(m_matches.end(), matches.begin(), matches.end());
+  if (++m_frames < frames) return;
+  m_fit = fitRows(m_matches, camera);
+  m_matches = {};
+}
+
+}  // namespace boomwatch

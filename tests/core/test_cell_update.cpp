@@ -1,0 +1,234 @@
+#include <QtTest>
+#include <random>
+
+#include "environment/environment_model.h"
+
+using namespace boomwatch;
+
+Q_DECLARE_METATYPE(boomwatch::ModelUpdate)
+
+namespace {
+
+const GridGeometry grid{{0.0, 1.0, 0.0, 1.0, 0.5, 3.0}, 0.05};
+
+ModelParameters with(ModelUpdate update) { return {.update = update}; }
+
+/// The middle of cell (column, row) at depth level 100.
+Eigen::Vector3f inCell(int column, int row) {
+  return grid.surfacePoint(column, row, 100).cast<float>();
+}
+
+Eigen::Vector3f throughCell(int column, int row) {
+  Eigen::Vector3f point = inCell(column, row);
+  point.z() = 50.0F;
+  return point;
+}
+
+double odds(double probability) { return probability / (1.0 - probability); }
+
+/// Frames until the cell (3, 3) of `model` is (or is no longer) occupied; -1 if that never comes.
+int framesUntil(EnvironmentModel& model, const ModelParameters& parameters, bool occupied,
+                const Points& points) {
+  for (int frame = 1; frame <= 3000; ++frame) {
+    model.update(points, parameters);
+    if ((model.state(3, 3) == CellState::Occupied) == occupied) return frame;
+  }
+  return -1;
+}
+
+EnvironmentModel seenForLong(const ModelParameters& parameters) {
+  EnvironmentModel model(grid);
+  for (int frame = 0; frame < 300; ++frame) model.update(Points{inCell(3, 3)}, parameters);
+  return model;
+}
+
+/// The rules one cell at a time, in doubles, as method.md and Bayes' rule have them.
+class PlainCell {
+ public:
+  explicit PlainCell(const ModelParameters& parameters) : m_parameters(parameters) {}
+
+  void see(bool measured) {
+    const ModelParameters& p = m_parameters;
+    if (p.update == ModelUpdate::LogOdds) {
+      if (measured) probability = std::max(probability, p.logOddsLow);
+      const double seen = odds(probability) * odds(measured ? p.logOddsHit : p.logOddsMiss);
+      probability = std::min(seen / (1.0 + seen), p.logOddsHigh);
+    } else {
+      probability = p.pPost * probability + (measured ? p.pPrior : 0.0);
+    }
+    if (probability < double{observedFloor}) probability = 0.0;
+    occupied = probability > limit();
+  }
+  /// What the probability has to exceed for the cell to be occupied after the next frame.
+  double limit() const {
+    return m_parameters.update == ModelUpdate::Hysteresis && occupied ? m_parameters.leaveThreshold
+                                                                      : m_parameters.probtresh;
+  }
+
+  double probability = 0.0;
+  bool occupied = false;
+
+ private:
+  ModelParameters m_parameters;
+};
+
+}  // namespace
+
+class TestCellUpdate : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyUpdateEqualsItsRule_data() { eachUpdate(); }
+  void everyUpdateEqualsItsRule() {
+    QFETCH(ModelUpdate, update);
+    const ModelParameters parameters = with(update);
+    EnvironmentModel model(grid);
+    std::vector<PlainCell> plain(grid.cellCount(), PlainCell(parameters));
+    std::mt19937 random(7);
+    for (int frame = 0; frame < 300; ++frame) {
+      Points points;
+      for (std::size_t k = 0; k < plain.size(); ++k) {
+        const int column = static_cast<int>(k % 20), row = static_cast<int>(k / 20);
+        // Each row is seen more often than the one above it; now and then all go blind for long.
+        const bool measured = frame % 100 < 70 && random() % 20 < static_cast<unsigned>(row);
+        if (measured) points.push_back(inCell(column, row));
+        plain[k].see(measured);
+      }
+      model.update(points, parameters);
+      for (std::size_t k = 0; k < plain.size(); ++k) {
+        QVERIFY(std::abs(model.probabilities()[k] - plain[k].probability) < 1e-5);
+        QCOMPARE(model.levels()[k] > 0, plain[k].occupied);
+      }
+    }
+  }
+
+  // n: how often in a row a thing must be seen. m: how often it must be missed.
+  void hysteresisEntersAndLeavesAsItsThresholdsSay() {
+    for (const double leave : {0.05, 0.1, 0.2, 0.3, 0.45}) {
+      ModelParameters parameters = with(ModelUpdate::Hysteresis);
+      parameters.leaveThreshold = leave;
+      EnvironmentModel model(grid);
+      QCOMPARE(framesUntil(model, parameters, true, {inCell(3, 3)}), 4);
+      QCOMPARE(framesToEnter(parameters), std::optional(4));
+      model = seenForLong(parameters);
+      const int misses = static_cast<int>(std::ceil(std::log(leave / (2.0 / 3.0)) / std::log(0.7)));
+      QCOMPARE(framesUntil(model, parameters, false, {}), misses);
+    }
+  }
+
+  void logOddsEnterAndLeaveAsTheirClampsSay() {
+    for (const double limit : {0.3, 0.5, 0.8}) {
+      ModelParameters parameters = with(ModelUpdate::LogOdds);
+      parameters.probtresh = limit;
+      const double hits = std::log(odds(limit) / odds(0.12)) / std::log(odds(0.7));
+      const int n = static_cast<int>(std::floor(hits)) + 1;
+      EnvironmentModel model(grid);
+      QCOMPARE(framesUntil(model, parameters, true, {inCell(3, 3)}), n);
+      QCOMPARE(framesToEnter(parameters), std::optional(n));
+      model = seenForLong(parameters);
+      const double misses = std::log(odds(limit) / odds(0.97)) / std::log(odds(0.4));
+      QCOMPARE(framesUntil(model, parameters, false, {}), static_cast<int>(std::ceil(misses)));
+    }
+  }
+
+  void aCellSeenInFourOfFiveFramesFlickersInTheThesissOnly_data() {
+    QTest::addColumn<ModelUpdate>("update");
+    QTest::addColumn<double>("least");
+    QTest::addColumn<double>("most");
+    // Leaving takes five or six misses in a row: once in some 4000 frames.
+    QTest::newRow("thesis") << ModelUpdate::Thesis << 24.0 << 28.0;
+    QTest::newRow("hysteresis") << ModelUpdate::Hysteresis << 0.0 << 0.2;
+    QTest::newRow("log-odds") << ModelUpdate::LogOdds << 0.0 << 0.0;
+  }
+  void aCellSeenInFourOfFiveFramesFlickersInTheThesissOnly() {
+    QFETCH(ModelUpdate, update);
+    const ModelParameters parameters = with(update);
+    EnvironmentModel model = seenForLong(parameters);
+    std::mt19937 random(11);
+    std::bernoulli_distribution seen(0.8);
+    int changes = 0;
+    constexpr int frames = 2000;
+    for (int frame = 0; frame < frames; ++frame) {
+      const CellState before = model.state(3, 3);
+      model.update(seen(random) ? Points{inCell(3, 3)} : Points{}, parameters);
+      changes += model.state(3, 3) != before;
+    }
+    QFETCH(double, least);
+    QFETCH(double, most);
+    const double perHundred = 100.0 * changes / frames;
+    QVERIFY2(perHundred >= least && perHundred <= most, qPrintable(QString::number(perHundred)));
+  }
+
+  void aHiddenCellStaysAsItIs_data() { eachUpdate(); }
+  void aHiddenCellStaysAsItIs() {
+    QFETCH(ModelUpdate, update);
+    EnvironmentModel model = seenForLong(with(update));
+    const float before = model.probabilities()[grid.index(3, 3)];
+    Eigen::Vector3f load = inCell(3, 3);
+    load.z() = 1.0F;
+    for (int frame = 0; frame < 100; ++frame) model.update({}, with(update), Points{load});
+    QCOMPARE(model.state(3, 3), CellState::Occupied);
+    QCOMPARE(model.probabilities()[grid.index(3, 3)], before);
+  }
+
+  void blindnessIsForgottenAndLookingThroughIsFree_data() { eachUpdate(); }
+  void blindnessIsForgottenAndLookingThroughIsFree() {
+    QFETCH(ModelUpdate, update);
+    EnvironmentModel model = seenForLong(with(update));
+    for (int frame = 0; frame < 40; ++frame) model.update(Points{throughCell(5, 5)}, with(update));
+    QCOMPARE(model.state(3, 3), CellState::NeverObserved);
+    QCOMPARE(model.state(5, 5), CellState::ObservedFree);
+    QCOMPARE(model.state(9, 9), CellState::NeverObserved);
+  }
+
+  void whatIsSaidOfAThresholdIsWhatHappens_data() { eachUpdate(); }
+  void whatIsSaidOfAThresholdIsWhatHappens() {
+    QFETCH(ModelUpdate, update);
+    int never = 0, stuck = 0;
+    for (const double limit : {0.0, 0.003, 0.006, 0.008, 0.3, 0.66, 0.67, 0.96, 0.97, 1.0}) {
+      ModelParameters parameters = with(update);
+      parameters.probtresh = limit;
+      EnvironmentModel model(grid);
+      const int entered = framesUntil(model, parameters, true, {inCell(3, 3)});
+      QCOMPARE(entered, framesToEnter(parameters).value_or(-1));
+      never += entered < 0;
+      if (entered < 0) continue;
+      QCOMPARE(framesUntil(model, parameters, false, {throughCell(3, 3)}) > 0, letsGo(parameters));
+      stuck += !letsGo(parameters);
+    }
+    QVERIFY(never > 0);
+    QCOMPARE(stuck > 0, update != ModelUpdate::Hysteresis);
+  }
+
+  void theHighestProbabilityIsReached_data() { eachUpdate(); }
+  void theHighestProbabilityIsReached() {
+    QFETCH(ModelUpdate, update);
+    const float reached = seenForLong(with(update)).probabilities()[grid.index(3, 3)];
+    QVERIFY(std::abs(reached - highestProbability(with(update))) < 1e-5);
+  }
+
+  // The thesis's probabilities are not bounded by 1: whoever changes the update in the middle of a
+  // recording must get a model all the same.
+  void anyProbabilityIsTakenOver() {
+    ModelParameters parameters;
+    parameters.pPrior = 1.0;
+    parameters.pPost = 0.999;
+    EnvironmentModel model = seenForLong(parameters);
+    QVERIFY(model.probabilities()[grid.index(3, 3)] > 100.0F);
+    parameters = with(ModelUpdate::LogOdds);
+    model.update(Points{inCell(3, 3)}, parameters);
+    QCOMPARE(model.probabilities()[grid.index(3, 3)], 0.97F);
+    QVERIFY(framesUntil(model, parameters, false, {}) > 0);
+  }
+
+ private:
+  static void eachUpdate() {
+    QTest::addColumn<ModelUpdate>("update");
+    QTest::newRow("thesis") << ModelUpdate::Thesis;
+    QTest::newRow("hysteresis") << ModelUpdate::Hysteresis;
+    QTest::newRow("log-odds") << ModelUpdate::LogOdds;
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCellUpdate)
+#include "test_cell_update.moc"
