@@ -8,6 +8,7 @@
 #include "frame/error.h"
 #include "pipeline/parameter_table.h"
 #include "pipeline/presets.h"
+#include "simulation/yard/yard_options.h"
 
 namespace boomwatch {
 namespace {
@@ -24,12 +25,17 @@ void addOptions(QCommandLineParser& parser) {
         QCommandLineOption(QString::fromLatin1(name), description, QString::fromLatin1(value)));
   };
   option("source", "ADDRESS",
-         tr("stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT, demo:floor, demo:cylinders "
-            "or demo:wall"));
+         tr("stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT, demo:yard, demo:floor, "
+            "demo:cylinders or demo:wall"));
   option("calibration", "FILE", tr("Stereo calibration, when it does not lie with the recording"));
   option("headless", "", tr("Run without a window; one JSON line a frame"));
   option("frames", "N", tr("Stop after N frames"));
   option("output", "FILE", tr("Where the JSON lines go; - is standard output"));
+  option("export-demo", "NAME",
+         tr("Write a demo (yard, or yard,seed=7,...; floor, cylinders, wall) as a recording with "
+            "its truth into the folder --output, --frames of it"));
+  option("export-truth-images", "",
+         tr("With --export-demo yard: depth, disparity and kinds as images as well"));
   option("screenshot", "FILE", tr("Save the whole window as PNG after the last frame"));
   option("parameters", "FILE", tr("YAML preset with parameters"));
   option("set", "KEY=VALUE", tr("Set one parameter; may be given often, after --parameters"));
@@ -117,6 +123,8 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   line.source = parser.value(QStringLiteral("source"));
   line.sourceOptions.calibration = parser.value(QStringLiteral("calibration")).toStdString();
   line.output = parser.value(QStringLiteral("output"));
+  line.exportDemo = parser.value(QStringLiteral("export-demo"));
+  line.exportTruthImages = parser.isSet(QStringLiteral("export-truth-images"));
   line.screenshot = parser.value(QStringLiteral("screenshot"));
   if (parser.isSet(QStringLiteral("frames"))) {
     line.frames = static_cast<std::size_t>(
@@ -148,6 +156,10 @@ QString helpText() {
                      QString::fromStdString(formatValue(info, info.get(defaults))),
                      QCoreApplication::translate("Parameters", info.tooltip));
   }
+  help += QLatin1Char('\n') +
+          tr("Options of demo:yard (key, range, default), as in %1:")
+              .arg(QStringLiteral("demo:yard,seed=7,rain=0.5")) +
+          QLatin1Char('\n') + QString::fromStdString(yardOptionsHelp());
   help += QLatin1Char('\n') + tr("Exit codes: 0 done, 1 a fault in the run, 2 bad arguments.") +
           QLatin1Char('\n');
   return help;

@@ -16,8 +16,11 @@ struct CommandLine {
   QString source;  ///< empty: the last one (window) or the built-in demo (headless)
   SourceOptions sourceOptions;
   std::optional<std::size_t> frames;  ///< stop after this many
-  QString output;                     ///< JSON lines; empty or "-": standard output
-  QString screenshot;                 ///< PNG of the whole window after the last frame
+  /// JSON lines; empty or "-": standard output. With exportDemo, the folder.
+  QString output;
+  QString exportDemo;  ///< as behind "demo:"; empty: none
+  bool exportTruthImages = false;
+  QString screenshot;  ///< PNG of the whole window after the last frame
   Parameters parameters;
   bool parametersGiven = false;  ///< any of --parameters, --set, --load
   std::optional<cv::Point> tool;

@@ -59,6 +59,7 @@ void fillSourceMenu(WindowMenus& menus, QMainWindow* window) {
   const auto demo = [&](const QString& text, const char* address) {
     addTo(menus.demos, menus.source, text, QString::fromLatin1(address));
   };
+  demo(Menus::tr("Demo: forestry y&ard"), "demo:yard");
   demo(Menus::tr("Demo: slanted &floor"), "demo:floor");
   demo(Menus::tr("Demo: four c&ylinders"), "demo:cylinders");
   demo(Menus::tr("Demo: &wall"), "demo:wall");

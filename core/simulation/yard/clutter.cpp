@@ -39,7 +39,9 @@ void addBird(Parts& parts, std::uint64_t seed, int index, double time) {
   const double flap = 0.7 * std::sin(turnOf * time * 3.1 + index);
   for (const double wing : {-1.0, 1.0}) {
     const Vector3d out = heading * Vector3d(wing * std::cos(flap), -std::sin(flap), 0.0);
-    bird(beam(place + 0.03 * out, place + 0.36 * out, 0.02, 0.16, heading.col(2)));
+    Eigen::Matrix3d spread;
+    spread << out, out.cross(heading.col(2)), heading.col(2);
+    bird(ellipsoid(place + 0.2 * out, {0.42, 0.03, 0.15}, spread));
   }
 }
 

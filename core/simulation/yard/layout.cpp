@@ -77,10 +77,11 @@ class Planter {
     const Vector3d foot = onGround(about(place.x(), 0.2), about(place.y(), 0.2));
     const Vector3d lean = Vector3d(about(0.0, 0.04), -1.0, about(0.0, 0.04)).normalized();
     const double radius = about(0.19, 0.04);
+    const int bark = variety();
     for (int k = 0; k < 3; ++k) {
-      add(rod(foot + (k * 2.6 - 0.2) * lean, foot + (k * 2.6 + 2.45) * lean,
-              radius * (1.0 - 0.16 * k)),
-          YardKind::Tree, Material::Bark);
+      m_layout.fixed.push_back(as(rod(foot + (k * 2.6 - 0.2) * lean, foot + (k * 2.6 + 2.45) * lean,
+                                      radius * (1.0 - 0.16 * k)),
+                                  YardKind::Tree, Material::Bark, bark));
     }
     for (int k = 0; k < 9; ++k) {
       const double height = 1.3 + 0.36 * k;

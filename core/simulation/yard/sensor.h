@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "simulation/yard/painter.h"
+#include "simulation/yard/caster.h"
 #include "simulation/yard/yard_options.h"
 
 namespace boomwatch {

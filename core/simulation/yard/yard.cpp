@@ -1,6 +1,8 @@
 #include "simulation/yard/yard.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -14,6 +16,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double pitch = 18.0 * std::numbers::pi / 180.0;  // how far the cameras look down
+
+constexpr double shadowed = 14.0;  // z up to which what moves throws a shadow
 
 /// Columns: the camera's axes in the level yard frame.
 Matrix3d levelOf(double down) {
@@ -33,10 +37,11 @@ StereoRig rigOf(const PinholeCamera& camera) {
 }
 
 /// With four samples a pixel: textures and edges as a lens would show them.
-YardPicture paintStill(const YardEye& eye, const YardGround& ground, const Parts& parts) {
+YardPicture paintStill(const YardEye& eye, const YardGround& ground, const Parts& parts,
+                       const YardShadows& shadows) {
   const auto painted = [&](const YardEye& from) {
-    YardPicture picture = paintGround(from, ground);
-    paint(from, parts, picture);
+    YardPicture picture = paintGround(from, ground, shadows);
+    paint(from, parts, shadows, picture);
     return picture;
   };
   YardEye fine = eye;
@@ -71,6 +76,15 @@ std::shared_ptr<const YardLayout> layoutOf(const YardOptions& options) {
                                                       : withBoughsAtRest(std::move(layout)));
 }
 
+/// What is large enough.
+Parts throwingShadows(const Parts& parts) {
+  Parts large;
+  std::ranges::copy_if(parts, std::back_inserter(large), [](const Part& part) {
+    return part.kind != YardKind::Bird && part.kind != YardKind::Leaf;
+  });
+  return large;
+}
+
 }  // namespace
 
 Yard::Yard(const YardOptions& options)
@@ -83,10 +97,16 @@ Yard::Yard(const YardOptions& options)
   m_eyes[1].eye = {baseline, 0, 0};
   m_rig = rigOf(m_eyes[0].camera);
   const Parts fixed = toCamera(m_layout->fixed);
+  // The shadows of the wood behind begin where the yard ends.
+  m_shadows = std::make_shared<YardShadows>(fixed, m_level, yardAt(0.0, 12.0), 18.0);
   const std::size_t eyes = options.as == YardView::Stereo ? 2 : 1;
   for (std::size_t k = 0; k < eyes; ++k) {
-    m_still[k] = paintStill(m_eyes[k], m_layout->ground, fixed);
+    m_still[k] = paintStill(m_eyes[k], m_layout->ground, fixed, *m_shadows);
   }
+}
+
+Eigen::Vector3d Yard::yardAt(double x, double z) const {
+  return m_level.transpose() * Vector3d(x, m_layout->ground.yAt(x, z), z);
 }
 
 Parts Yard::toCamera(const Parts& parts) const {
@@ -111,11 +131,13 @@ Parts Yard::movingAt(double time) const {
 
 YardShot Yard::shootAt(double time) const {
   const Parts moving = movingAt(time);
+  const YardShadows shadows(throwingShadows(moving), m_level, yardAt(0.0, 7.0), 8.0);
   YardShot shot;
   for (std::size_t k = 0; k < shot.eyes.size(); ++k) {
     if (m_still[k].colour.empty()) continue;
     shot.eyes[k] = m_still[k].clone();
-    paint(m_eyes[k], moving, shot.eyes[k]);
+    shade(m_eyes[k], shadows, shadowed, shot.eyes[k]);
+    paint(m_eyes[k], moving, *m_shadows, shot.eyes[k]);
   }
   return shot;
 }

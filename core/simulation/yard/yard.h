@@ -39,6 +39,8 @@ class Yard {
  private:
   /// Camera frame.
   Parts movingAt(double time) const;
+  /// A place on the ground (yard frame), camera frame.
+  Eigen::Vector3d yardAt(double x, double z) const;
   Parts toCamera(const Parts& parts) const;
 
   YardOptions m_options;
@@ -46,7 +48,8 @@ class Yard {
   CranePath m_path;
   Eigen::Matrix3d m_level;  ///< from the camera's to the yard frame
   std::array<YardEye, 2> m_eyes;
-  std::array<YardPicture, 2> m_still;  ///< what does not move, as each eye sees it
+  std::shared_ptr<const YardShadows> m_shadows;  ///< of what does not move
+  std::array<YardPicture, 2> m_still;            ///< what does not move, as each eye sees it
   StereoRig m_rig;
 };
 

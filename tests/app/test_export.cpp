@@ -1,0 +1,76 @@
+#include <QDir>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <csignal>
+
+/// Exports a demo with the program itself.
+class TestExport : public QObject {
+  Q_OBJECT
+
+  static void start(QProcess& process, const QStringList& arguments) {
+    process.start(QStringLiteral(BOOMWATCH_PROGRAM), arguments);
+  }
+  static int codeOf(QProcess& process) {
+    if (!process.waitForFinished(120000)) process.kill();
+    return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+  }
+
+ private slots:
+  void whatIsExportedCanBeRun() {
+    const QTemporaryDir folder;
+    const QString yard = folder.filePath("yard");
+    QProcess exporting;
+    start(exporting, {"--export-demo", "yard", "--frames", "2", "--output", yard});
+    QCOMPARE(codeOf(exporting), 0);
+    QVERIFY(exporting.readAllStandardError().contains("frame 2 of 2"));
+    QProcess running;
+    start(running, {"--headless", "--source", "stereo:" + yard});
+    QCOMPARE(codeOf(running), 0);
+    QCOMPARE(running.readAllStandardOutput().count('\n'), 2);
+  }
+
+  void anInterruptLeavesNothing() {
+    const QTemporaryDir folder;
+    QProcess process;
+    start(process, {"--export-demo", "floor", "--output", folder.filePath("floor")});
+    QByteArray said;
+    while (!said.contains("frame 2 of") && process.waitForReadyRead(60000)) {
+      said += process.readAllStandardError();
+      process.setReadChannel(QProcess::StandardError);
+    }
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QCOMPARE(codeOf(process), 1);
+    QVERIFY(process.readAllStandardError().contains("stopped"));
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+
+  void badArgumentsExitWithTwo_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("named");
+    QTest::newRow("no folder") << QStringList{"yard"} << QByteArray("--output");
+    QTest::newRow("no such demo") << QStringList{"roof", "--output", "x"} << QByteArray("roof");
+    QTest::newRow("seed") << QStringList{"yard,seed=-1", "--output", "x"}
+                          << QByteArray("0..999999");
+    QTest::newRow("no frames") << QStringList{"yard", "--frames", "0", "--output", "x"}
+                               << QByteArray("--frames");
+    QTest::newRow("too many") << QStringList{"yard", "--frames", "12001", "--output", "x"}
+                              << QByteArray("1..12000");
+    QTest::newRow("not empty") << QStringList{"floor", "--output", "/usr"} << QByteArray("/usr");
+  }
+  void badArgumentsExitWithTwo() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, named);
+    const QTemporaryDir folder;
+    QProcess process;
+    process.setWorkingDirectory(folder.path());
+    start(process, QStringList{"--export-demo"} + arguments);
+    QCOMPARE(codeOf(process), 2);
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY2(said.contains(named), said.constData());
+    QVERIFY(QDir(folder.path()).isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestExport)
+#include "test_export.moc"
