@@ -37,6 +37,12 @@ void addOptions(QCommandLineParser& parser) {
          tr("The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
             "pitch about x, then roll about z, in degrees"));
   option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
+  option("tracker", "NAME",
+         tr("What follows the tool: tld, cmt, klt, csrt or manual; with --evaluate it may be given "
+            "often, and opencv_tld, opencv_csrt and opencv_medianflow are possible too"));
+  option("evaluate", "tracking",
+         tr("Instead of all this, run trackers over the FOLDERs that follow, each a sequence with "
+            "ground truth or a folder of such; --output names a folder for the tables"));
   parser.addOption(
       QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
   option("version", "", tr("Show the version"));
@@ -72,6 +78,27 @@ int wholeNumber(const QString& option, const QString& value, int minimum) {
               "Give one.");
 }
 
+/// Positional arguments are the folders of an evaluation, and nothing else.
+void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
+  line.trackers = parser.values(QStringLiteral("tracker"));
+  line.evaluate = parser.isSet(QStringLiteral("evaluate"));
+  const QStringList words = parser.positionalArguments();
+  if (!line.evaluate) {
+    if (words.isEmpty()) return;
+    throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
+                "Name a recording with --source KIND:PATH; --help lists the kinds.");
+  }
+  const QString what = parser.value(QStringLiteral("evaluate"));
+  if (what != QLatin1String("tracking")) {
+    throw Error("--evaluate", "'" + what.toStdString() + "' cannot be evaluated",
+                "Write --evaluate tracking FOLDER...");
+  }
+  if (words.isEmpty()) {
+    throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
+  }
+  line.evaluationFolders = words;
+}
+
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
   if (parser.isSet(QStringLiteral("parameters"))) {
     line.parameters =
@@ -105,11 +132,6 @@ CommandLine parseCommandLine(const QStringList& arguments) {
     while (fault.endsWith(QLatin1Char('.'))) fault.chop(1);
     throw Error("command line", fault.toStdString(), "--help lists the options.");
   }
-  if (!parser.positionalArguments().isEmpty()) {
-    throw Error("command line",
-                "'" + parser.positionalArguments().constFirst().toStdString() + "' is no option",
-                "Name a recording with --source KIND:PATH; --help lists the kinds.");
-  }
   CommandLine line;
   line.help = parser.isSet(QStringLiteral("help"));
   line.version = parser.isSet(QStringLiteral("version"));
@@ -129,6 +151,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
                           wholeNumber(QStringLiteral("--tool"), pixel[1], 0));
   }
   readParameters(line, parser);
+  readEvaluation(line, parser);
+  if (!line.evaluate && !line.trackers.isEmpty()) {
+    setParameter(line.parameters, "tracker", line.trackers.constLast().toStdString());
+  }
   return line;
 }
 

@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "console.h"
+#include "evaluate.h"
 #include "frame/error.h"
 #include "headless.h"
 
@@ -38,6 +39,7 @@ int runHeadlessly(const boomwatch::CommandLine& line, int& argc, char** argv) {
 }
 
 int run(const boomwatch::CommandLine& line, int& argc, char** argv) {
+  if (line.evaluate) return boomwatch::runEvaluation(line);
   if (line.headless) return runHeadlessly(line, argc, argv);
   if (!hasDisplay()) {
     throw boomwatch::Error("window", "there is no display",

@@ -58,7 +58,7 @@ void checkCounts(const fs::path& folder, ImageStream& images, std::size_t lines)
 
 TrackingSequence openTrackingSequence(const fs::path& folder) {
   TrackingSequence sequence;
-  sequence.name = folder.filename().string();
+  sequence.name = (folder / "").parent_path().filename().string();
   sequence.images = openPictures(folder);
   const auto size = sequence.images->size();
   if (!size) {
