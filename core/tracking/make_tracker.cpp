@@ -1,4 +1,4 @@
-#include "frame/error.h"
+#include "tracking/cmt_tracker.h"
 #include "tracking/csrt_tracker.h"
 #include "tracking/klt_tracker.h"
 #include "tracking/tld_tracker.h"
@@ -17,9 +17,9 @@ std::unique_ptr<Tracker> makeTracker(TrackerKind kind) {
     case TrackerKind::Tld:
       return std::make_unique<TldTracker>();
     case TrackerKind::Cmt:
-      break;
+      return std::make_unique<CmtTracker>();
   }
-  throw Error("tracker", "this kind is not built yet", "Set tracker to tld, klt or csrt.");
+  return nullptr;
 }
 
 }  // namespace boomwatch

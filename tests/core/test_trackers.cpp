@@ -42,6 +42,7 @@ class TestTrackers : public QObject {
     QTest::addColumn<TrackerKind>("kind");
     QTest::newRow("klt") << TrackerKind::Klt;
     QTest::newRow("csrt") << TrackerKind::Csrt;
+    QTest::newRow("cmt") << TrackerKind::Cmt;
   }
   const TargetScene m_scene;
 };
@@ -49,6 +50,8 @@ class TestTrackers : public QObject {
 namespace {
 
 const cv::Point2d beginning(100.0, 100.0);
+const std::initializer_list<std::pair<const char*, TrackerKind>> namedKinds{
+    {"klt", TrackerKind::Klt}, {"csrt", TrackerKind::Csrt}, {"cmt", TrackerKind::Cmt}};
 
 std::unique_ptr<Tracker> started(TrackerKind kind, const TargetScene& scene) {
   auto tracker = makeTracker(kind);
@@ -79,8 +82,7 @@ void TestTrackers::refusesABoxThatHoldsNothing_data() {
   QTest::addColumn<cv::Rect2d>("box");
   QTest::addColumn<bool>("flat");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [name, kind] :
-       {std::pair("klt", TrackerKind::Klt), {"csrt", TrackerKind::Csrt}}) {
+  for (const auto& [name, kind] : namedKinds) {
     const auto row = [&](const char* fault, const cv::Rect2d& box, bool flat) {
       QTest::addRow("%s: %s", name, fault) << kind << box << flat;
     };
@@ -125,8 +127,7 @@ void TestTrackers::oddImagesAreLostNotErrors_data() {
   QTest::addColumn<int>("rows");
   QTest::addColumn<int>("columns");
   QTest::addColumn<int>("type");
-  for (const auto& [name, kind] :
-       {std::pair("klt", TrackerKind::Klt), {"csrt", TrackerKind::Csrt}}) {
+  for (const auto& [name, kind] : namedKinds) {
     QTest::addRow("%s: empty", name) << kind << 0 << 0 << CV_8UC3;
     QTest::addRow("%s: black", name) << kind << 240 << 320 << CV_8UC3;
     QTest::addRow("%s: one pixel", name) << kind << 1 << 1 << CV_8UC3;
@@ -199,7 +200,7 @@ void TestTrackers::csrtFindsAgainWhereItWas() {
 }
 
 void TestTrackers::onlyTldHasAModel() {
-  for (const TrackerKind kind : {TrackerKind::Klt, TrackerKind::Csrt}) {
+  for (const auto& [name, kind] : namedKinds) {
     const auto tracker = started(kind, m_scene);
     QVERIFY(!tracker->model());
     tracker->setLearning(true);

@@ -1,0 +1,75 @@
+#include "tracking/keypoint_features.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/imgproc.hpp>
+
+namespace boomwatch {
+namespace {
+
+constexpr int threshold = 15;  // grey levels, after the contrast was brought to the full range
+constexpr std::array sizes{1.0, 1.5, 2.25};
+// The strongest corners of every cell of the image, and of every cell of the dense part.
+constexpr int cellsAcross = 16, cellsDown = 12, keptInCell = 2;
+constexpr int denseCells = 6, keptInDenseCell = 4;
+// BRISK describes no corner whose surroundings reach outside.
+constexpr int border = 32;
+
+/// The `kept` strongest of every cell of a grid over `part`; of no place outside it.
+void keepStrongest(std::vector<cv::KeyPoint>& points, const cv::Rect2d& part, cv::Size grid,
+                   int kept, std::vector<cv::KeyPoint>& result) {
+  std::vector<int> taken(static_cast<std::size_t>(grid.area()), 0);
+  for (const cv::KeyPoint& point : points) {
+    const cv::Point2d at(point.pt);
+    if (!part.contains(at)) continue;
+    const int column = std::min(int((at.x - part.x) / part.width * grid.width), grid.width - 1);
+    const int row = std::min(int((at.y - part.y) / part.height * grid.height), grid.height - 1);
+    int& count = taken[static_cast<std::size_t>(row * grid.width + column)];
+    if (++count <= kept) result.push_back(point);
+  }
+}
+
+std::vector<cv::KeyPoint> cornersIn(const cv::Mat& image, double size) {
+  cv::Mat small = image;
+  if (size > 1.0) cv::resize(image, small, {}, 1.0 / size, 1.0 / size, cv::INTER_AREA);
+  std::vector<cv::KeyPoint> points;
+  cv::FAST(small, points, threshold);
+  for (cv::KeyPoint& point : points) {
+    // Pixel centres, not corners, keep their place.
+    point.pt = (point.pt + cv::Point2f(0.5F, 0.5F)) * size - cv::Point2f(0.5F, 0.5F);
+    point.size *= static_cast<float>(size);
+  }
+  std::ranges::sort(points, std::greater(), &cv::KeyPoint::response);
+  return points;
+}
+
+}  // namespace
+
+KeypointExtractor::KeypointExtractor() : m_descriptor(cv::BRISK::create()) {}
+
+KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2d& dense) const {
+  cv::Mat image;
+  cv::equalizeHist(grey, image);
+  const cv::Rect2d whole(0, 0, image.cols, image.rows);
+  const cv::Rect2d part = dense & whole;
+  std::vector<cv::KeyPoint> points;
+  for (const double size : sizes) {
+    if (image.cols < 8 * size || image.rows < 8 * size) continue;
+    std::vector<cv::KeyPoint> found = cornersIn(image, size);
+    if (!part.empty()) {
+      keepStrongest(found, part, {denseCells, denseCells}, keptInDenseCell, points);
+      std::erase_if(found, [&](const auto& point) { return part.contains(cv::Point2d(point.pt)); });
+    }
+    keepStrongest(found, whole, {cellsAcross, cellsDown}, keptInCell, points);
+  }
+  cv::Mat padded;
+  cv::copyMakeBorder(image, padded, border, border, border, border, cv::BORDER_REPLICATE);
+  const cv::Point2f offset(border, border);
+  for (cv::KeyPoint& point : points) point.pt += offset;
+  KeypointFeatures features;
+  m_descriptor->compute(padded, points, features.descriptors);
+  for (const cv::KeyPoint& point : points) features.positions.emplace_back(point.pt - offset);
+  return features;
+}
+
+}  // namespace boomwatch
