@@ -294,10 +294,6 @@
         <translation>Last gegeben durch</translation>
     </message>
     <message>
-        <source>scene: only what the source itself knows; manual: the values below</source>
-        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter</translation>
-    </message>
-    <message>
         <source>Centre x</source>
         <translation>Mitte x</translation>
     </message>
@@ -621,6 +617,66 @@
         <source>A level ends only after a lower one would have done for so long; a load that retreats is not kept waiting</source>
         <translation>Eine Stufe endet erst, wenn so lange eine niedrigere genügt hätte; eine Last, die sich entfernt, muss nicht warten</translation>
     </message>
+    <message>
+        <source>scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
+        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter; detected: in jedem Bild am Werkzeug gefunden</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>detected: a log, a box, or a box where there is no log</source>
+        <translation>detected: ein Stamm, ein Kasten, oder ein Kasten, wo kein Stamm ist</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>detected: learnt at first and then held, or locked to the sizes above (x is a log&apos;s length)</source>
+        <translation>detected: anfangs gelernt und dann gehalten, oder fest die Maße darüber (x ist die Länge eines Stamms)</translation>
+    </message>
+    <message>
+        <source>Learning time</source>
+        <translation>Lernzeit</translation>
+    </message>
+    <message>
+        <source>detected: over which the sizes are learnt</source>
+        <translation>detected: so lange werden die Maße gelernt</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Größtes Maß</translation>
+    </message>
+    <message>
+        <source>detected: what is longer is no load</source>
+        <translation>detected: was länger ist, ist keine Last</translation>
+    </message>
+    <message>
+        <source>Tool size</source>
+        <translation>Werkzeuggröße</translation>
+    </message>
+    <message>
+        <source>detected: what is nearer than half of this to the tool point is the tool, not the load</source>
+        <translation>detected: was dem Werkzeugpunkt näher ist als die Hälfte davon, ist das Werkzeug, nicht die Last</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>detected: points so near to the load are taken out with it</source>
+        <translation>detected: Punkte, die der Last so nah sind, werden mit ihr herausgenommen</translation>
+    </message>
+    <message>
+        <source>Load age</source>
+        <translation>Alter der Last</translation>
+    </message>
+    <message>
+        <source>Longer without seeing the load that is detected, and there is no distance</source>
+        <translation>Wird die erkannte Last länger nicht gesehen, gibt es keinen Abstand</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -850,6 +906,62 @@
     <message>
         <source>checks</source>
         <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Load not seen</source>
+        <translation>Last nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>The load is not seen at the tool. Turn the tool, or give its sizes.</source>
+        <translation>Die Last ist am Werkzeug nicht zu sehen. Drehen Sie das Werkzeug oder geben Sie ihre Maße an.</translation>
+    </message>
+    <message>
+        <source>It is not known where the tool is.</source>
+        <translation>Es ist nicht bekannt, wo das Werkzeug ist.</translation>
+    </message>
+    <message>
+        <source>Nothing was measured at the tool.</source>
+        <translation>Am Werkzeug wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>What is at the tool is the ground or a wall.</source>
+        <translation>Was am Werkzeug ist, ist der Boden oder eine Wand.</translation>
+    </message>
+    <message>
+        <source>Nothing reaches out of the tool: it is empty.</source>
+        <translation>Nichts ragt aus dem Werkzeug: Es ist leer.</translation>
+    </message>
+    <message>
+        <source>The load points at the camera.</source>
+        <translation>Die Last zeigt auf die Kamera.</translation>
+    </message>
+    <message>
+        <source>An end of the load is hidden.</source>
+        <translation>Ein Ende der Last ist verdeckt.</translation>
+    </message>
+    <message>
+        <source>Only one face of the load is seen.</source>
+        <translation>Von der Last ist nur eine Seite zu sehen.</translation>
+    </message>
+    <message>
+        <source>Too few points on the load.</source>
+        <translation>Zu wenige Punkte auf der Last.</translation>
+    </message>
+    <message>
+        <source>What is at the tool does not have the shape of a load.</source>
+        <translation>Was am Werkzeug ist, hat nicht die Form einer Last.</translation>
+    </message>
+    <message>
+        <source>What is at the tool is too large for a load.</source>
+        <translation>Was am Werkzeug ist, ist zu groß für eine Last.</translation>
+    </message>
+    <message>
+        <source>The load is not inside the bounds.</source>
+        <translation>Die Last liegt nicht in den Grenzen.</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
     </message>
 </context>
 <context>
@@ -1288,6 +1400,14 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Milliseconds that this stage took for the last frame</source>
         <translation>Millisekunden, die diese Stufe für das letzte Bild brauchte</translation>
+    </message>
+    <message>
+        <source>Load last seen %1 s ago.</source>
+        <translation>Last zuletzt vor %1 s gesehen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the points were taken out with boom, tool and load.</source>
+        <translation>%1 % der Punkte wurden mit Ausleger, Werkzeug und Last herausgenommen.</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,20 @@ QString validityOf(const Result& result) {
   return StatusStrip::tr("\u2715 no distance: %1").arg(reasonTitle(clearance.reason));
 }
 
+/// What is wrong, what of the load this frame shows, and how much of the cloud was taken out.
+QString validityDetail(const Result& result) {
+  QStringList lines{reasonText(result.clearance.reason), loadFaultText(result.loadFault)};
+  if (result.load && result.loadAge && *result.loadAge > 0.0) {
+    lines += StatusStrip::tr("Load last seen %1 s ago.").arg(number(*result.loadAge, 1));
+  }
+  if (!result.scene.removed.empty()) {
+    lines += StatusStrip::tr("%1 % of the points were taken out with boom, tool and load.")
+                 .arg(number(100.0 * result.removedShare, 1));
+  }
+  lines.removeAll({});
+  return lines.join(u'\n');
+}
+
 }  // namespace
 
 StatusStrip::StatusStrip(QWidget* parent) : QStatusBar(parent) {
@@ -69,7 +83,7 @@ void StatusStrip::showResult(const Result& result) {
         ->setText(tr("%1 %2").arg(stageText(timing.stage), millisecondsText(timing.milliseconds)));
   }
   m_validity->setText(validityOf(result));
-  m_validity->setToolTip(reasonText(result.clearance.reason));
+  m_validity->setToolTip(validityDetail(result));
 }
 
 void StatusStrip::setRate(double framesPerSecond) {

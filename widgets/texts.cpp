@@ -28,6 +28,8 @@ QString reasonTitle(Reason reason) {
       return Texts::tr("Camera moves");
     case Reason::NoLoad:
       return Texts::tr("No load");
+    case Reason::LoadNotSeen:
+      return Texts::tr("Load not seen");
     case Reason::LoadOutside:
       return Texts::tr("Load out of bounds");
     case Reason::NoModel:
@@ -55,12 +57,44 @@ QString reasonText(Reason reason) {
       return Texts::tr("The picture moves as a whole. Hold the camera still and wait.");
     case Reason::NoLoad:
       return Texts::tr("Nobody has said where the load is. Set it among the parameters.");
+    case Reason::LoadNotSeen:
+      return Texts::tr("The load is not seen at the tool. Turn the tool, or give its sizes.");
     case Reason::LoadOutside:
       return Texts::tr("The load is not inside the bounds. Move it or widen the bounds.");
     case Reason::NoModel:
       return Texts::tr("Too few frames so far. Wait a moment; if it stays so, lower probtresh.");
     case Reason::NothingObserved:
       return Texts::tr("Nothing around the load was ever seen. Turn the camera towards it.");
+  }
+  return {};
+}
+
+QString loadFaultText(LoadFault fault) {
+  switch (fault) {
+    case LoadFault::None:
+      return {};
+    case LoadFault::NoToolPoint:
+      return Texts::tr("It is not known where the tool is.");
+    case LoadFault::NothingAtTool:
+      return Texts::tr("Nothing was measured at the tool.");
+    case LoadFault::OnSurface:
+      return Texts::tr("What is at the tool is the ground or a wall.");
+    case LoadFault::NoBody:
+      return Texts::tr("Nothing reaches out of the tool: it is empty.");
+    case LoadFault::EndOn:
+      return Texts::tr("The load points at the camera.");
+    case LoadFault::EndHidden:
+      return Texts::tr("An end of the load is hidden.");
+    case LoadFault::DepthHidden:
+      return Texts::tr("Only one face of the load is seen.");
+    case LoadFault::FewPoints:
+      return Texts::tr("Too few points on the load.");
+    case LoadFault::PoorFit:
+      return Texts::tr("What is at the tool does not have the shape of a load.");
+    case LoadFault::TooLarge:
+      return Texts::tr("What is at the tool is too large for a load.");
+    case LoadFault::OutsideBounds:
+      return Texts::tr("The load is not inside the bounds.");
   }
   return {};
 }
@@ -84,6 +118,7 @@ QString levelText(WarningLevel level) {
 QString stageText(std::string_view stage) {
   if (stage == "stereo") return Texts::tr("stereo");
   if (stage == "checks") return Texts::tr("checks");
+  if (stage == "load") return Texts::tr("load");
   if (stage == "filter") return Texts::tr("filter");
   if (stage == "model") return Texts::tr("model");
   if (stage == "clearance") return Texts::tr("clearance");

@@ -5,6 +5,7 @@
 
 #include "environment/environment_model.h"
 #include "frame/clearance.h"
+#include "load/load_detection.h"
 #include "pipeline/warning.h"
 
 namespace boomwatch {
@@ -15,6 +16,8 @@ namespace boomwatch {
 QString reasonTitle(Reason reason);
 /// A sentence or two: what is wrong and what to do. Empty for Reason::None.
 QString reasonText(Reason reason);
+/// A sentence. Empty for LoadFault::None.
+QString loadFaultText(LoadFault fault);
 QString levelText(WarningLevel level);
 /// A StageTiming's name; one that is not known is shown as it is.
 QString stageText(std::string_view stage);

@@ -18,6 +18,8 @@ std::string_view toString(Reason reason) {
       return "scene_moves";
     case Reason::NoLoad:
       return "no_load";
+    case Reason::LoadNotSeen:
+      return "load_not_seen";
     case Reason::LoadOutside:
       return "load_outside_bounds";
     case Reason::NoModel:

@@ -16,6 +16,7 @@ enum class Reason {
   FewDepthPixels,   ///< less than min_fill of the cloud was measured
   SceneMoves,       ///< the picture moves as a whole: the camera is not still
   NoLoad,           ///< nobody said where the load is
+  LoadNotSeen,      ///< it is to be detected, and was not for longer than max_load_age
   LoadOutside,      ///< the load is not inside the bounds
   NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
   NothingObserved,  ///< less than min_observed of the load's neighbourhood was ever seen

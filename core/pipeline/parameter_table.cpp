@@ -11,7 +11,9 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 2> matcherNames{"sgbm", "bm"};
 constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "radius"};
 constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
-constexpr std::array<std::string_view, 2> loadNames{"scene", "manual"};
+constexpr std::array<std::string_view, 3> loadNames{"scene", "manual", "detected"};
+constexpr std::array<std::string_view, 3> shapeNames{"cylinder", "box", "auto"};
+constexpr std::array<std::string_view, 2> dimensionNames{"learnt", "locked"};
 
 struct Range {
   double minimum = 0.0;
@@ -154,11 +156,12 @@ constexpr auto table = std::to_array<ParameterInfo>({
             "is not kept waiting"),
          "s"},
         {0, 60, 0.1}),
-    row<&P::load, &L::source>(
-        "load_source",
-        {TR("Load"), TR("Load given by"),
-         TR("scene: only what the source itself knows; manual: the values below")},
-        {}, loadNames),
+    row<&P::load, &L::source>("load_source",
+                              {TR("Load"), TR("Load given by"),
+                               TR("scene: only what the source itself knows; manual: the values "
+                                  "below; detected: found in "
+                                  "every frame, at the tool")},
+                              {}, loadNames),
     row<&P::load, &L::x>(
         "load_x",
         {TR("Load"), TR("Centre x"), TR("Centre of the load, to the right of the camera"), "m"},
@@ -185,6 +188,35 @@ constexpr auto table = std::to_array<ParameterInfo>({
                              {TR("Load"), TR("Pitch"), TR("Turn about x, second"), "°"}, angle),
     row<&P::load, &L::roll>("load_roll", {TR("Load"), TR("Roll"), TR("Turn about z, third"), "°"},
                             angle),
+    row<&P::load, &L::shape>(
+        "load_shape",
+        {TR("Load"), TR("Shape"), TR("detected: a log, a box, or a box where there is no log")}, {},
+        shapeNames),
+    row<&P::load, &L::dimensions>(
+        "load_dimensions",
+        {TR("Load"), TR("Sizes"),
+         TR("detected: learnt at first and then held, or locked to the sizes above (x is a log's "
+            "length)")},
+        {}, dimensionNames),
+    row<&P::load, &L::learnTime>(
+        "load_learn_time",
+        {TR("Load"), TR("Learning time"), TR("detected: over which the sizes are learnt"), "s"},
+        {0, 60, 0.5}),
+    row<&P::load, &L::maxSize>(
+        "load_max_size",
+        {TR("Load"), TR("Largest size"), TR("detected: what is longer is no load"), "m"},
+        {0.05, 100, 0.5}),
+    row<&P::load, &L::toolSize>("load_tool_size",
+                                {TR("Load"), TR("Tool size"),
+                                 TR("detected: what is nearer than half of this to the tool point "
+                                    "is the tool, not the load"),
+                                 "m"},
+                                {0, 20, 0.1}),
+    row<&P::load, &L::margin>(
+        "load_margin",
+        {TR("Load"), TR("Margin"), TR("detected: points so near to the load are taken out with it"),
+         "m"},
+        {0, 10, 0.05}),
     row<&P::filter, &F::zReprojection>(
         "z_reprojection",
         {TR("Filter"), TR("z reprojection"), TR("Move every kept point to this z"), "m"},
@@ -296,6 +328,11 @@ constexpr auto table = std::to_array<ParameterInfo>({
         {TR("Validity"), TR("Scene motion"),
          TR("If a larger share of the picture moves, the camera moves; 1 is off")},
         {0.05, 1, 0.05}),
+    row<&P::validity, &V::maxLoadAge>(
+        "max_load_age",
+        {TR("Validity"), TR("Load age"),
+         TR("Longer without seeing the load that is detected, and there is no distance"), "s"},
+        {0, 60, 0.1}),
     row<&P::validity, &V::minObserved>(
         "min_observed",
         {TR("Validity"), TR("Smallest observed share"),

@@ -14,7 +14,9 @@ namespace boomwatch {
 enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
-enum class LoadSource { Scene, Manual };
+enum class LoadSource { Scene, Manual, Detected };
+enum class LoadShape { Cylinder, Box, Auto };
+enum class LoadDimensions { Learnt, Locked };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
 
 /// Matching and checking of a rectified pair (method.md section 2). Pixels.
@@ -74,12 +76,19 @@ struct WarningParameters {
   double releaseDelay = 0.5;  ///< for so long a lower level must do before it is shown
 };
 
-/// The load as the operator describes it. Metres, degrees (this is what a person types).
+/// The load as the operator describes it, or how it is detected. Metres, degrees (this is what a
+/// person types).
 struct LoadParameters {
   LoadSource source = LoadSource::Scene;  ///< Scene: only what the source itself knows
   double x = 0.0, y = 0.0, z = 3.0;
   double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
   double yaw = 0.0, pitch = 0.0, roll = 0.0;
+  LoadShape shape = LoadShape::Cylinder;  ///< Auto: a cylinder, or a box where there is none
+  LoadDimensions dimensions = LoadDimensions::Learnt;  ///< Locked: the sizes above
+  double learnTime = 2.0;  ///< seconds over which sizes are learnt, to be held from then on
+  double maxSize = 5.0;    ///< what is longer is no load
+  double toolSize = 0.8;   ///< diameter, about the tool point, of what is the tool itself
+  double margin = 0.1;     ///< about a detected load, in which points are taken out with it
 
   /// In the camera frame, metres and radians.
   OrientedBox box() const {
@@ -96,6 +105,7 @@ struct ValidityParameters {
   int identicalFrames = 3;   ///< this many equal frames in a row mean a frozen source
   double minFill = 0.05;     ///< share of the cloud that must be measured
   double sceneMotion = 0.6;  ///< share of picture features that move: the camera moves
+  double maxLoadAge = 0.5;   ///< seconds for which a load that is not seen is taken to be there
   double minObserved = 0.1;  ///< share of the load's neighbourhood that must have been observed
 };
 

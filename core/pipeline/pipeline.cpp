@@ -9,6 +9,8 @@
 #include "collision/observed_share.h"
 #include "collision/ray_clearance.h"
 #include "frame/error.h"
+#include "load/load_detector.h"
+#include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
 #include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
@@ -35,14 +37,23 @@ class StageClock {
 /// Unknown is not clear, even where somebody asks for no share at all.
 constexpr double noShare = 1e-9;
 
-std::optional<OrientedBox> loadOf(const Frame& frame, const LoadParameters& parameters) {
-  if (parameters.source == LoadSource::Manual) return parameters.box();
-  return frame.load;
-}
+/// A quarter of a pixel is what matching leaves uncertain.
+constexpr double matchingNoise = 0.25;
 
-Reason loadFault(const std::optional<OrientedBox>& load, const Bounds& bounds) {
+/// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
+constexpr double depthCameraNoise = 0.0014;
+
+Reason loadReason(const Result& result) {
+  const std::optional<OrientedBox>& load = result.load;
+  const Bounds& bounds = result.parameters.bounds;
+  if (!load && result.parameters.load.source == LoadSource::Detected) return Reason::LoadNotSeen;
   if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
+}
+
+double removedShare(const StaticScene& scene) {
+  const std::size_t all = scene.statics.size() + scene.removed.size() + scene.noise.size();
+  return all > 0 ? static_cast<double>(scene.removed.size()) / static_cast<double>(all) : 0.0;
 }
 
 }  // namespace
@@ -52,6 +63,7 @@ struct Pipeline::State {
   FrameChecks checks;
   EnvironmentModel model;
   bool modelExists = false;
+  LoadFollower loads;
   ExactClearance exact;
   ObservedShare observed;
   Points evidence;  ///< scratch: what the model learns from this frame
@@ -62,6 +74,8 @@ struct Pipeline::State {
   double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
   bool sense(Result& result);
+  /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
+  std::optional<OrientedBox> findLoad(Result& result);
   void updateModel(Result& result);
   Clearance judge(const Result& result, Reason frameFault) const;
   Clearance measure(const OrientedBox& load, const Parameters& parameters) const;
@@ -93,10 +107,13 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.fill = verdict.fill;
   result.toolPixel = state.toolPixel;
   if (state.toolPixel) result.toolPoint = toolPointAt(*result.cloud, *state.toolPixel);
-  result.load = loadOf(*frame, parameters.load);
   clock.lap("checks");
 
-  result.scene = separateStatic(*result.cloud, result.toolPoint, result.load, parameters);
+  const std::optional<OrientedBox> loadVolume = state.findLoad(result);
+  clock.lap("load");
+
+  result.scene = separateStatic(*result.cloud, result.toolPoint, loadVolume, parameters);
+  result.removedShare = removedShare(result.scene);
   clock.lap("filter");
 
   if (verdict.modelIsStale) state.modelExists = false;
@@ -135,6 +152,27 @@ bool Pipeline::State::sense(Result& result) {
   }
 }
 
+std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
+  const LoadParameters& parameters = result.parameters.load;
+  if (parameters.source != LoadSource::Detected) {
+    loads.reset();
+    result.load = parameters.source == LoadSource::Manual ? parameters.box() : result.frame->load;
+    return result.load;
+  }
+  const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
+  const LoadDetection detection = result.toolPoint
+                                      ? detectLoad(*result.cloud, *result.toolPoint, noise,
+                                                   result.parameters.bounds, parameters)
+                                      : LoadDetection::refused(LoadFault::NoToolPoint);
+  const auto followed = loads.follow(detection, result.frame->stamp, parameters,
+                                     result.parameters.validity.maxLoadAge);
+  result.load = followed.box;
+  result.loadFault = detection.fault;
+  result.loadAge = followed.age;
+  return followed.box ? std::optional(dynamicVolume(*followed.box, parameters.margin, noise))
+                      : std::nullopt;
+}
+
 void Pipeline::State::updateModel(Result& result) {
   const GridGeometry geometry(result.parameters.bounds, result.parameters.model.resolution);
   if (!modelExists || !(model.geometry() == geometry)) {
@@ -156,7 +194,7 @@ void Pipeline::State::updateModel(Result& result) {
 Clearance Pipeline::State::judge(const Result& result, Reason frameFault) const {
   const Parameters& parameters = result.parameters;
   if (frameFault != Reason::None) return Clearance::unknown(frameFault);
-  const Reason fault = loadFault(result.load, parameters.bounds);
+  const Reason fault = loadReason(result);
   if (fault != Reason::None) return Clearance::unknown(fault);
   const auto needed = framesToEnter(parameters.model);
   if (!needed || model.frames() < static_cast<std::size_t>(*needed)) {
@@ -186,7 +224,7 @@ Clearance Pipeline::State::measure(const OrientedBox& load, const Parameters& pa
 std::optional<double> Pipeline::State::depthUncertainty(const Clearance& clearance) const {
   if (!clearance.nearest || depthPerPixel == 0.0) return std::nullopt;
   const double z = clearance.nearest->onEnvironment.z();
-  return 0.25 * z * z * depthPerPixel;
+  return matchingNoise * z * z * depthPerPixel;
 }
 
 std::optional<Approach> Pipeline::State::approach(const Result& result) {

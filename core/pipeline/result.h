@@ -11,6 +11,7 @@
 #include "environment/static_scene.h"
 #include "frame/clearance.h"
 #include "frame/frame.h"
+#include "load/load_detection.h"
 #include "pipeline/warning.h"
 
 namespace boomwatch {
@@ -30,7 +31,14 @@ struct Result {
   std::optional<cv::Point> toolPixel;
   std::optional<Eigen::Vector3f> toolPoint;
   std::optional<OrientedBox> load;
+  /// Why this very frame does not show the load that is to be detected; None otherwise.
+  LoadFault loadFault = LoadFault::None;
+  /// Seconds since the load was last seen; absent unless it is detected.
+  std::optional<double> loadAge;
   StaticScene scene;
+  /// Share of the points inside the bounds that were taken out with boom, tool and load. Large:
+  /// what is in the way may be among them.
+  double removedShare = 0.0;
   Clearance clearance;
   /// How the load moves; absent until it was seen for long enough, and without a distance.
   std::optional<Approach> approach;

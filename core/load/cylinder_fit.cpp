@@ -1,0 +1,172 @@
+#include "load/cylinder_fit.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "load/cylinder_ends.h"
+#include "load/cylinder_strip.h"
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Vector3d;
+using Vector5 = Eigen::Matrix<double, ViewedCylinder::parameters, 1>;
+using Matrix5 = Eigen::Matrix<double, ViewedCylinder::parameters, ViewedCylinder::parameters>;
+
+constexpr double endOn = 0.2;       ///< radians between axis and view below which no length is seen
+constexpr double roughness = 0.01;  ///< metres by which bark is no cylinder
+constexpr double shortestAspect = 1.5;  ///< of length to diameter; what is stubbier has no axis
+
+/// Residuals in standard deviations: depths first, then the edges.
+void residuals(const Strip& strip, const DepthPatch& patch, const ViewedCylinder& cylinder,
+               std::vector<double>& out) {
+  out.clear();
+  const CylinderOutline outline(cylinder);
+  for (const Strip::Surface& s : strip.surface) {
+    const double noise = patch.noise / std::sqrt(static_cast<double>(s.count));
+    const double sigma = std::hypot(noise, roughness * s.q * s.q);
+    out.push_back((outline.q(s.u, s.v) - s.q) / sigma);
+  }
+  for (const Strip::Edge& e : strip.edges) {
+    out.push_back((outline.edge(e.u, e.upper) - e.v) / patch.pitch);
+  }
+}
+
+/// Levenberg-Marquardt; beyond about two standard deviations a residual pulls less and less.
+bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinder) {
+  constexpr int iterations = 8;
+  constexpr double soft = 4.0;  // squared
+  std::vector<double> now, moved;
+  Eigen::Matrix<double, Eigen::Dynamic, ViewedCylinder::parameters> slope;
+  residuals(strip, patch, cylinder, now);
+  if (now.size() < 10) return false;
+  slope.resize(static_cast<Eigen::Index>(now.size()), ViewedCylinder::parameters);
+  const auto cost = [](const std::vector<double>& r) {
+    double sum = 0.0;
+    for (const double x : r) sum += std::log1p(x * x / soft);
+    return sum;
+  };
+  double damping = 1e-3, best = cost(now);
+  for (int k = 0; k < iterations; ++k) {
+    for (int j = 0; j < ViewedCylinder::parameters; ++j) {
+      ViewedCylinder nudged = cylinder;
+      const double step = 1e-5 * std::max(0.01, std::abs(cylinder.x[j]));
+      nudged.x[j] += step;
+      residuals(strip, patch, nudged, moved);
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        slope(static_cast<Eigen::Index>(i), j) = (moved[i] - now[i]) / step;
+      }
+    }
+    Matrix5 left = Matrix5::Zero();
+    Vector5 right = Vector5::Zero();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const Vector5 row = slope.row(static_cast<Eigen::Index>(i)).transpose();
+      const double weight = 1.0 / (1.0 + now[i] * now[i] / soft);
+      left += weight * row * row.transpose();
+      right -= weight * row * now[i];
+    }
+    left.diagonal() *= 1.0 + damping;
+    ViewedCylinder tried = cylinder;
+    tried.x += left.ldlt().solve(right);
+    if (!tried.isUsable()) {
+      damping *= 10.0;
+      continue;
+    }
+    residuals(strip, patch, tried, moved);
+    const double cost2 = cost(moved);
+    if (!(cost2 < best)) {
+      damping *= 10.0;
+      continue;
+    }
+    const bool settled = best - cost2 < 1e-4 * best;
+    cylinder = tried, best = cost2, now.swap(moved);
+    damping *= 0.2;
+    if (settled) break;
+  }
+  return cylinder.isUsable();
+}
+
+/// Whether what was fitted is round and there: depths and both edges agree with it.
+bool agrees(const Strip& strip, const DepthPatch& patch, const ViewedCylinder& cylinder) {
+  constexpr double within = 3.0, leastShare = 0.6;
+  std::vector<double> all;
+  residuals(strip, patch, cylinder, all);
+  std::array<int, 3> good{}, count{};  // depths, lower edge, upper edge
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t edge = i - std::min(i, strip.surface.size());
+    const std::size_t kind = i < strip.surface.size() ? 0 : strip.edges[edge].upper ? 2 : 1;
+    ++count[kind];
+    if (std::abs(all[i]) < within) ++good[kind];
+  }
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    if (count[kind] < 5 || good[kind] < leastShare * count[kind]) return false;
+  }
+  return true;
+}
+
+CylinderFit refused(LoadFault fault) {
+  CylinderFit fit;
+  fit.fault = fault;
+  return fit;
+}
+
+/// On both sides, as found now that its ends are known.
+bool reachesOut(const CylinderFit& fit, const Vector3d& tool, const CylinderLimits& limits) {
+  const double along = fit.axis.dot(tool - fit.centre);
+  const double off2 = (tool - fit.centre - along * fit.axis).squaredNorm();
+  const double rim = std::sqrt(std::max(0.0, limits.toolRadius * limits.toolRadius - off2));
+  return fit.length / 2.0 - std::abs(along) > rim + limits.leastArm;
+}
+
+CylinderFit inCamera(const CylinderFrame& frame, const ViewedCylinder& cylinder,
+                     const CylinderEnds& ends) {
+  CylinderFit fit;
+  const double from = CylinderEnds::alongAxis(cylinder, ends.u[0]);
+  const double to = CylinderEnds::alongAxis(cylinder, ends.u[1]);
+  fit.axis = frame.toCamera(cylinder.direction());
+  fit.centre = frame.toCamera(cylinder.pointA()) + fit.axis * (from + to) / 2.0;
+  fit.length = to - from;
+  fit.radius = cylinder.radius();
+  fit.endSeen = ends.seen;
+  return fit;
+}
+
+}  // namespace
+
+CylinderFit fitCylinder(const DepthPatch& patch, const LoadBody& body, const LoadAxis& start,
+                        const CylinderLimits& limits) {
+  constexpr int rounds = 3;
+  constexpr double leastFilled = 0.5, mostThrough = 0.2;
+  Vector3d point = start.point, direction = start.direction;
+  Strip::Limits around{limits.maxRadius, std::numeric_limits<double>::infinity(),
+                       limits.toolRadius};
+  CylinderFit fit;
+  for (int round = 0; round < rounds; ++round) {
+    const auto frame = CylinderFrame::facing(point, direction, endOn);
+    if (!frame) return refused(LoadFault::EndOn);
+    auto strip = cutStrip(patch, body, *frame, {point, direction}, around);
+    if (!strip) return refused(LoadFault::FewPoints);
+    ViewedCylinder& cylinder = strip->guess;
+    if (!refine(*strip, patch, cylinder)) return refused(LoadFault::PoorFit);
+    if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
+    const Vector3d tool(body.tool.dot(frame->view), body.tool.dot(frame->along),
+                        body.tool.dot(frame->across));
+    const CylinderEnds ends = findEnds(patch, *frame, cylinder, tool, limits.toolRadius);
+    fit = inCamera(*frame, cylinder, ends);
+    if (!(fit.length > shortestAspect * 2.0 * fit.radius) || !reachesOut(fit, body.tool, limits)) {
+      return refused(LoadFault::NoBody);
+    }
+    point = fit.centre, direction = fit.axis;
+    around.halfWidth = std::min(limits.maxRadius, 2.0 * fit.radius);
+    around.halfLength = fit.length / 2.0;
+    if (round + 1 < rounds) continue;
+    if (!agrees(*strip, patch, cylinder) || ends.filled < leastFilled ||
+        ends.through > mostThrough) {
+      return refused(LoadFault::PoorFit);
+    }
+  }
+  return fit;
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,132 @@
+#include "load/depth_patch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int halfSide = 75;
+constexpr double samplesPerCell = 9.0;
+constexpr float nearest = 0.02F;  ///< metres; nothing is measured nearer
+
+/// Calls `take` with every `step`-th measured point in each direction.
+template <class Take>
+void forPoints(const Cloud& cloud, int step, Take&& take) {
+  // What is not organised has no second direction: as many points are left out in the one it has.
+  const int across = cloud.organised() ? step : step * step;
+  for (int row = 0; row < cloud.height; row += step) {
+    const Vector3f* const points =
+        cloud.points.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(cloud.width);
+    for (int column = 0; column < cloud.width; column += across) {
+      const Vector3f& p = points[column];
+      if (p.z() > nearest && isMeasured(p)) take(p);
+    }
+  }
+}
+
+/// How many points there are in a cell that has any, from every 16th.
+double density(const Cloud& cloud, DepthPatch& patch) {
+  constexpr int step = 4;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  patch.uMin = patch.vMin = infinity;
+  patch.uMax = patch.vMax = -infinity;
+  std::vector<char> coarse(static_cast<std::size_t>(patch.side) * patch.side / 16 + patch.side);
+  double count = 0.0, occupied = 0.0;
+  forPoints(cloud, step, [&](const Vector3f& p) {
+    const double u = p.x() / p.z(), v = p.y() / p.z();
+    patch.uMin = std::min(patch.uMin, u), patch.uMax = std::max(patch.uMax, u);
+    patch.vMin = std::min(patch.vMin, v), patch.vMax = std::max(patch.vMax, v);
+    const int index = patch.indexOf(u, v);
+    if (index < 0) return;
+    ++count;
+    const int block = (index / patch.side / 4) * (patch.side / 4 + 1) + index % patch.side / 4;
+    char& seen = coarse[static_cast<std::size_t>(block)];
+    occupied += seen == 0 ? 16.0 : 0.0;  // a block is 4 x 4 cells
+    seen = 1;
+  });
+  return occupied > 0.0 ? count * step * step / occupied : 0.0;
+}
+
+struct Placed {
+  int cell;
+  DepthPatch::Sample sample;
+};
+
+void sortIntoCells(DepthPatch& patch, const std::vector<Placed>& placed) {
+  const auto cells = static_cast<std::size_t>(patch.side) * static_cast<std::size_t>(patch.side);
+  patch.begin.assign(cells + 1, 0);
+  for (const Placed& p : placed) ++patch.begin[static_cast<std::size_t>(p.cell) + 1];
+  for (std::size_t i = 0; i < cells; ++i) patch.begin[i + 1] += patch.begin[i];
+  patch.samples.resize(placed.size());
+  std::vector<std::size_t> next(patch.begin.begin(), patch.begin.end() - 1);
+  for (const Placed& p : placed) patch.samples[next[static_cast<std::size_t>(p.cell)]++] = p.sample;
+}
+
+void takeMedians(DepthPatch& patch) {
+  constexpr double medianOverMean = 1.25;  // of a normal distribution's standard errors
+  const std::size_t cells = patch.begin.size() - 1;
+  patch.q.assign(cells, std::numeric_limits<float>::quiet_NaN());
+  patch.sigma.assign(cells, 0.0F);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const std::size_t count = patch.begin[i + 1] - patch.begin[i];
+    if (count == 0) continue;
+    values.clear();
+    for (std::size_t k = patch.begin[i]; k < patch.begin[i + 1]; ++k) {
+      values.push_back(patch.samples[k].q);
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    patch.q[i] = *middle;
+    const double factor = count > 2 ? medianOverMean / std::sqrt(double(count)) : 1.0;
+    patch.sigma[i] = static_cast<float>(patch.noise * factor);
+  }
+}
+
+/// From the cells that are full: those with samples all around.
+double samplePitch(const DepthPatch& patch) {
+  double count = 0.0, cells = 0.0;
+  const auto has = [&](int index) { return !std::isnan(patch.q[static_cast<std::size_t>(index)]); };
+  for (int row = 1; row + 1 < patch.side; ++row) {
+    for (int column = 1; column + 1 < patch.side; ++column) {
+      const int i = row * patch.side + column;
+      if (!has(i) || !has(i - 1) || !has(i + 1) || !has(i - patch.side) || !has(i + patch.side)) {
+        continue;
+      }
+      const auto k = static_cast<std::size_t>(i);
+      count += static_cast<double>(patch.begin[k + 1] - patch.begin[k]);
+      ++cells;
+    }
+  }
+  return cells > 0.0 ? patch.cell * std::sqrt(cells / count) : patch.cell;
+}
+
+}  // namespace
+
+DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, double noise) {
+  DepthPatch patch;
+  if (!isMeasured(tool) || tool.z() <= nearest) return patch;
+  patch.side = 2 * halfSide + 1;
+  patch.cell = reach / tool.z() / halfSide;
+  patch.u0 = tool.x() / tool.z() - patch.side / 2.0 * patch.cell;
+  patch.v0 = tool.y() / tool.z() - patch.side / 2.0 * patch.cell;
+  patch.noise = noise;
+  const double perCell = density(cloud, patch);
+  const int step = std::clamp(static_cast<int>(std::sqrt(perCell / samplesPerCell)), 1, 16);
+  std::vector<Placed> placed;
+  forPoints(cloud, step, [&](const Vector3f& p) {
+    const float q = 1.0F / p.z(), u = p.x() * q, v = p.y() * q;
+    const int index = patch.indexOf(u, v);
+    if (index >= 0) placed.push_back({index, {u, v, q}});
+  });
+  if (placed.empty()) return patch;
+  sortIntoCells(patch, placed);
+  takeMedians(patch);
+  patch.pitch = samplePitch(patch);
+  return patch;
+}
+
+}  // namespace boomwatch

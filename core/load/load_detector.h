@@ -1,0 +1,24 @@
+#pragma once
+
+#include "frame/bounds.h"
+#include "frame/cloud.h"
+#include "load/load_detection.h"
+#include "pipeline/parameters.h"
+
+namespace boomwatch {
+
+/// The carried load at the tool, from one cloud seen from one side (method.md section 4).
+///
+/// `depthNoise`: standard deviation of a point's inverse depth, 1/m; of a stereo pair a quarter of
+/// a pixel over f B (Eq. 5). Looks at `parameters`' shape, sizes (where they are locked), toolSize
+/// and maxSize. A log's box has its axis as x, and z as far away from the camera as can be; of a
+/// box that it cannot tell front from side, x is its longest edge. Refuses, with a reason, rather
+/// than guess. Deterministic; pure; any cloud and any tool point.
+LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double depthNoise,
+                         const Bounds& bounds, const LoadParameters& parameters);
+
+/// In which points are taken for the load's: its box, `margin` metres larger on all sides, and
+/// along the line of sight by three standard deviations of the depth there as well.
+OrientedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise);
+
+}  // namespace boomwatch

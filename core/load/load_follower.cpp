@@ -1,0 +1,128 @@
+#include "load/load_follower.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double positionGain = 0.5, velocityGain = 0.15;  // of an alpha-beta filter
+constexpr int jumpsToBelieve = 3;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double angleBetween(const Matrix3d& a, const Matrix3d& b) {
+  return Quaterniond(a).angularDistance(Quaterniond(b));
+}
+
+}  // namespace
+
+OrientedBox namedAs(const OrientedBox& before, const OrientedBox& seen) {
+  constexpr std::array<std::array<int, 3>, 6> orders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  OrientedBox best = seen;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& order : orders) {
+    OrientedBox named = seen;
+    double turn = 0.0, growth = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      Vector3d axis = seen.rotation.col(order[static_cast<std::size_t>(i)]);
+      const double along = axis.dot(before.rotation.col(i));
+      if (along < 0.0) axis = -axis;
+      named.rotation.col(i) = axis;
+      named.size[i] = seen.size[order[static_cast<std::size_t>(i)]];
+      turn += 1.0 - std::abs(along);
+      growth += std::abs(std::log(named.size[i] / before.size[i]));
+    }
+    if (named.rotation.determinant() < 0.0) named.rotation.col(2) *= -1.0;
+    if (turn + growth < least) least = turn + growth, best = named;
+  }
+  return best;
+}
+
+LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, double stamp,
+                                            const LoadParameters& parameters, double maxAge) {
+  if (m_pose && (stamp < m_pose->stamp || stamp - m_pose->stamp > maxAge)) reset();
+  bool isSeen = detection.box.has_value();
+  if (isSeen) {
+    const OrientedBox seen = m_pose ? namedAs(m_pose->box, *detection.box) : *detection.box;
+    const double passed = m_pose ? stamp - m_pose->stamp : 0.0;
+    const bool elsewhere = m_pose && jumps(seen, passed);
+    m_jumps = elsewhere ? m_jumps + 1 : 0;
+    if (!m_pose || m_jumps >= jumpsToBelieve) {
+      begin(seen, stamp);
+    } else if (elsewhere) {
+      isSeen = false;
+    } else {
+      correct(seen, passed);
+      m_pose->stamp = stamp;
+    }
+    if (isSeen) learn(seen.size, stamp, parameters);
+  }
+  if (!m_pose) return {};
+  const double age = stamp - m_pose->stamp;
+  return {boxAt(age), age};
+}
+
+void LoadFollower::reset() { *this = LoadFollower(); }
+
+/// Farther than a swinging load and the noise of its pose can take it.
+bool LoadFollower::jumps(const OrientedBox& seen, double passed) const {
+  constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
+  constexpr double turn = 0.35, turnSpeed = 2.0;
+  return (seen.centre - boxAt(passed).centre).norm() > nearby + speed * passed ||
+         angleBetween(seen.rotation, m_pose->box.rotation) > turn + turnSpeed * passed;
+}
+
+void LoadFollower::begin(const OrientedBox& seen, double stamp) {
+  if (!m_pose) m_learningSince = stamp;
+  m_pose = Pose{seen, Vector3d::Zero(), stamp};
+  m_jumps = 0;
+}
+
+void LoadFollower::correct(const OrientedBox& seen, double passed) {
+  Pose& pose = *m_pose;
+  const Vector3d expected = boxAt(passed).centre, off = seen.centre - expected;
+  pose.box.centre = expected + positionGain * off;
+  if (passed > 0.0) pose.velocity += velocityGain / passed * off;
+  pose.box.rotation = Quaterniond(pose.box.rotation)
+                          .slerp(positionGain, Quaterniond(seen.rotation))
+                          .normalized()
+                          .toRotationMatrix();
+}
+
+/// While learning, the median so far; then the one that was learnt.
+void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameters& parameters) {
+  if (parameters.dimensions == LoadDimensions::Locked) {
+    m_size = size;
+    m_learnt.clear();
+    m_learningSince = stamp;
+    return;
+  }
+  if (!m_learnt.empty() && stamp - m_learningSince > parameters.learnTime) return;
+  m_learnt.push_back(size);
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> values;
+    for (const Vector3d& s : m_learnt) values.push_back(s[i]);
+    m_size[i] = median(values);
+  }
+}
+
+OrientedBox LoadFollower::boxAt(double passed) const {
+  OrientedBox box = m_pose->box;
+  box.centre += m_pose->velocity * passed;
+  box.size = m_size;
+  return box;
+}
+
+}  // namespace boomwatch

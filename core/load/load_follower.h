@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "load/load_detection.h"
+#include "pipeline/parameters.h"
+
+namespace boomwatch {
+
+/// Follows the load from frame to frame: smooths its pose, learns and holds its sizes, and bridges
+/// frames that do not show it. Used by one thread.
+class LoadFollower {
+ public:
+  struct Followed {
+    std::optional<OrientedBox> box;  ///< absent when the load has not been seen for too long
+    std::optional<double> age;       ///< seconds since it was last seen; with `box`
+  };
+
+  /// `stamp`: of the frame, seconds. A load that is not seen is taken to move on as it did for up
+  /// to `maxAge` seconds; after that all is forgotten, its sizes as well: another one may be
+  /// carried next. A pose that jumps away is believed when the next frames agree with it. A stamp
+  /// that runs backwards forgets all.
+  Followed follow(const LoadDetection& detection, double stamp, const LoadParameters& parameters,
+                  double maxAge);
+  void reset();
+
+ private:
+  bool jumps(const OrientedBox& seen, double passed) const;
+  void begin(const OrientedBox& seen, double stamp);
+  void correct(const OrientedBox& seen, double passed);
+  void learn(const Eigen::Vector3d& size, double stamp, const LoadParameters& parameters);
+  OrientedBox boxAt(double passed) const;
+
+  struct Pose {
+    OrientedBox box;                                     ///< its size is m_size
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< metres a second
+    double stamp = 0.0;                                  ///< when it was last seen
+  };
+  std::optional<Pose> m_pose;
+  int m_jumps = 0;  ///< frames in a row that show it elsewhere
+  double m_learningSince = 0.0;
+  std::vector<Eigen::Vector3d> m_learnt;
+  Eigen::Vector3d m_size = Eigen::Vector3d::Zero();
+};
+
+/// `seen` with its axes named so that they fit `before`: a box is the same when it is turned by
+/// half a turn, and by a quarter where its sizes are swapped with it.
+OrientedBox namedAs(const OrientedBox& before, const OrientedBox& seen);
+
+}  // namespace boomwatch

@@ -1,0 +1,141 @@
+#include <Eigen/Geometry>
+#include <QtTest>
+
+#include "load/load_follower.h"
+
+using namespace boomwatch;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double maxAge = 0.5;
+constexpr double step = 0.1;
+
+LoadDetection seen(const Vector3d& centre, double turn = 0.0, Vector3d size = {3.0, 0.3, 0.3}) {
+  OrientedBox box;
+  box.centre = centre;
+  box.size = size;
+  box.rotation = Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+  return {box, LoadFault::None};
+}
+
+const LoadDetection nothing = LoadDetection::refused(LoadFault::NoBody);
+
+}  // namespace
+
+class TestLoadFollower : public QObject {
+  Q_OBJECT
+ private slots:
+  void nothingSeenIsNothing() {
+    LoadFollower follower;
+    const auto followed = follower.follow(nothing, 0.0, {}, maxAge);
+    QVERIFY(!followed.box && !followed.age);
+  }
+
+  void noiseIsSmoothed() {
+    LoadFollower follower;
+    double worst = 0.0;
+    for (int k = 0; k < 100; ++k) {
+      const double off = k % 2 == 0 ? 0.05 : -0.05;
+      const auto followed = follower.follow(seen({off, 0, 5}), k * step, {}, maxAge);
+      if (k > 10) worst = std::max(worst, std::abs(followed.box->centre.x()));
+      QCOMPARE(*followed.age, 0.0);
+    }
+    QVERIFY2(worst < 0.04, qPrintable(QString::number(worst)));
+  }
+
+  void aMovingLoadIsFollowedWithoutLag() {
+    LoadFollower follower;
+    for (int k = 0; k < 100; ++k) {
+      const double x = 0.05 * k;
+      const auto followed = follower.follow(seen({x, 0, 5}), k * step, {}, maxAge);
+      if (k > 50) QVERIFY(std::abs(followed.box->centre.x() - x) < 0.01);
+    }
+  }
+
+  void theSignOfAnAxisDoesNotTurnTheBox() {
+    LoadFollower follower;
+    for (int k = 0; k < 20; ++k) {
+      const double turn = 0.3 + (k % 2 == 0 ? 0.0 : M_PI);
+      const auto followed = follower.follow(seen({0, 0, 5}, turn), k * step, {}, maxAge);
+      const Vector3d axis = followed.box->rotation.col(0);
+      QVERIFY(std::abs(axis.dot(Vector3d(std::cos(0.3), std::sin(0.3), 0))) > 0.9999);
+    }
+  }
+
+  void sidesOfABoxKeepTheirNames() {
+    LoadFollower follower;
+    const auto first = follower.follow(seen({0, 0, 5}, 0.0, {1.0, 0.8, 0.5}), 0.0, {}, maxAge);
+    const auto turned =
+        follower.follow(seen({0, 0, 5}, M_PI / 2.0, {0.8, 1.0, 0.5}), step, {}, maxAge);
+    QVERIFY((turned.box->size - first.box->size).norm() < 1e-9);
+    QVERIFY((turned.box->rotation - first.box->rotation).norm() < 1e-6);
+  }
+
+  void aShortGapIsBridgedAndItsAgeSaid() {
+    LoadFollower follower;
+    for (int k = 0; k < 50; ++k) follower.follow(seen({0.05 * k, 0, 5}), k * step, {}, maxAge);
+    const double last = 49 * step;
+    const auto bridged = follower.follow(nothing, last + 0.4, {}, maxAge);
+    QVERIFY(bridged.box);
+    QVERIFY(std::abs(*bridged.age - 0.4) < 1e-9);
+    QVERIFY(std::abs(bridged.box->centre.x() - 0.05 * 53) < 0.02);
+    QVERIFY(!follower.follow(nothing, last + 0.6, {}, maxAge).box);
+    QVERIFY(!follower.follow(nothing, last + 0.7, {}, maxAge).box);
+  }
+
+  void oneWrongFrameDoesNotMoveIt() {
+    LoadFollower follower;
+    for (int k = 0; k < 10; ++k) follower.follow(seen({0, 0, 5}), k * step, {}, maxAge);
+    const auto odd = follower.follow(seen({2, 0, 5}), 10 * step, {}, maxAge);
+    QVERIFY(odd.box->centre.norm() < 5.01);
+    QVERIFY(*odd.age > 0.0);
+    follower.follow(seen({2, 0, 5}), 11 * step, {}, maxAge);
+    const auto moved = follower.follow(seen({2, 0, 5}), 12 * step, {}, maxAge);
+    QCOMPARE(moved.box->centre, Vector3d(2, 0, 5));
+  }
+
+  void sizesAreLearntAndThenHeld() {
+    LoadFollower follower;
+    LoadParameters parameters;
+    parameters.learnTime = 1.0;
+    for (int k = 0; k < 10; ++k) {  // one wild frame among them
+      const Vector3d size = k == 3 ? Vector3d(4, 0.6, 0.6) : Vector3d(3, 0.3, 0.3);
+      follower.follow(seen({0, 0, 5}, 0.0, size), k * step, parameters, maxAge);
+    }
+    for (int k = 11; k < 30; ++k) {
+      const auto followed =
+          follower.follow(seen({0, 0, 5}, 0.0, {2, 0.2, 0.2}), k * step, parameters, maxAge);
+      QCOMPARE(followed.box->size, Vector3d(3, 0.3, 0.3));
+    }
+  }
+
+  void anotherLoadIsLearntAnew() {
+    LoadFollower follower;
+    for (int k = 0; k < 40; ++k) follower.follow(seen({0, 0, 5}), k * step, {}, maxAge);
+    const auto next =
+        follower.follow(seen({1, 0, 5}, 0.0, {2, 0.4, 0.4}), 40 * step + 1.0, {}, maxAge);
+    QCOMPARE(next.box->size, Vector3d(2, 0.4, 0.4));
+    QCOMPARE(next.box->centre, Vector3d(1, 0, 5));
+  }
+
+  void lockedSizesAreThoseOfTheDetection() {
+    LoadFollower follower;
+    LoadParameters locked;
+    locked.dimensions = LoadDimensions::Locked;
+    for (int k = 0; k < 40; ++k) {
+      const Vector3d size(1.0 + k, 0.5, 0.5);
+      const auto followed = follower.follow(seen({0, 0, 5}, 0.0, size), k * step, locked, maxAge);
+      QCOMPARE(followed.box->size, size);
+    }
+  }
+
+  void aRecordingWoundBackForgets() {
+    LoadFollower follower;
+    for (int k = 0; k < 40; ++k) follower.follow(seen({0, 0, 5}), k * step, {}, maxAge);
+    QVERIFY(!follower.follow(nothing, 1.0, {}, maxAge).box);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestLoadFollower)
+#include "test_load_follower.moc"
