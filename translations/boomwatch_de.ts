@@ -621,6 +621,58 @@
         <source>A level ends only after a lower one would have done for so long; a load that retreats is not kept waiting</source>
         <translation>Eine Stufe endet erst, wenn so lange eine niedrigere genügt hätte; eine Last, die sich entfernt, muss nicht warten</translation>
     </message>
+    <message>
+        <source>Tracking</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Verfolger</translation>
+    </message>
+    <message>
+        <source>tld: learns, finds again, can be saved; cmt: turns and grows with the tool; klt and csrt: follow only; manual: the click stays where it is</source>
+        <translation>tld: lernt, findet wieder, kann gespeichert werden; cmt: dreht sich und wächst mit dem Werkzeug; klt und csrt: folgen nur; manual: der Klick bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>tld: go on learning what the tool looks like; off: only what is known</source>
+        <translation>tld: weiter lernen, wie das Werkzeug aussieht; aus: nur, was bekannt ist</translation>
+    </message>
+    <message>
+        <source>Tool point</source>
+        <translation>Werkzeugpunkt</translation>
+    </message>
+    <message>
+        <source>right: the box&apos;s centre or the next measured pixel on its right; near: what is near in the middle of the box, for a grapple that can be seen through</source>
+        <translation>right: die Mitte des Rahmens oder der nächste gemessene Bildpunkt rechts davon; near: was in der Mitte des Rahmens nah ist, für einen Greifer, durch den man hindurchsieht</translation>
+    </message>
+    <message>
+        <source>Tool age</source>
+        <translation>Werkzeugalter</translation>
+    </message>
+    <message>
+        <source>Longer without the tool, and there is no distance; until then it is taken to go on as it moved</source>
+        <translation>Länger ohne Werkzeug, und es gibt keinen Abstand; bis dahin gilt, dass es sich weiterbewegt wie zuvor</translation>
+    </message>
+    <message>
+        <source>Tool noise</source>
+        <translation>Werkzeugrauschen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the tool&apos;s point as measured; more is smoother</source>
+        <translation>Standardabweichung des gemessenen Werkzeugpunkts; mehr ist glatter</translation>
+    </message>
+    <message>
+        <source>Tool acceleration</source>
+        <translation>Werkzeugbeschleunigung</translation>
+    </message>
+    <message>
+        <source>How quickly the tool changes its velocity; less is smoother</source>
+        <translation>Wie schnell das Werkzeug seine Geschwindigkeit ändert; weniger ist glatter</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -851,6 +903,136 @@
         <source>checks</source>
         <translation>Prüfung</translation>
     </message>
+    <message>
+        <source>Tool lost</source>
+        <translation>Werkzeug verloren</translation>
+    </message>
+    <message>
+        <source>Boom and load are not taken out of the cloud. Bring the tool into sight, or draw its box anew.</source>
+        <translation>Ausleger und Last werden nicht aus der Wolke genommen. Bringen Sie das Werkzeug in Sicht oder zeichnen Sie seinen Rahmen neu.</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>ToolOverlay</name>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>%1: too small</source>
+        <translation>%1: zu klein</translation>
+    </message>
+</context>
+<context>
+    <name>ToolTexts</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Tool not found yet: boom and load are not taken out of the cloud, so there is no distance.</source>
+        <translation>Werkzeug noch nicht gefunden: Ausleger und Last werden nicht aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+    </message>
+    <message>
+        <source>Tool seen, but not its depth: boom and load are not taken out of the cloud, so there is no distance.</source>
+        <translation>Werkzeug gesehen, aber nicht seine Tiefe: Ausleger und Last werden nicht aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+    </message>
+    <message>
+        <source>Tool seen, but not its depth for %1: boom and load are no longer taken out of the cloud, so there is no distance.</source>
+        <translation>Werkzeug gesehen, aber seit %1 nicht seine Tiefe: Ausleger und Last werden nicht mehr aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+    </message>
+    <message>
+        <source>Tool lost for %1: boom and load are no longer taken out of the cloud, so there is no distance.</source>
+        <translation>Werkzeug seit %1 verloren: Ausleger und Last werden nicht mehr aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+    </message>
+    <message>
+        <source>manual: the click stays where it is</source>
+        <translation>manual: der Klick bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source>tld: learns, finds again, can be saved</source>
+        <translation>tld: lernt, findet wieder, kann gespeichert werden</translation>
+    </message>
+    <message>
+        <source>cmt: turns and grows with the tool</source>
+        <translation>cmt: dreht sich und wächst mit dem Werkzeug</translation>
+    </message>
+    <message>
+        <source>klt: fast, follows only</source>
+        <translation>klt: schnell, folgt nur</translation>
+    </message>
+    <message>
+        <source>csrt: exact, slow, follows only</source>
+        <translation>csrt: genau, langsam, folgt nur</translation>
+    </message>
+    <message>
+        <source>Tool found again %1</source>
+        <translation>Werkzeug wiedergefunden %1</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Werkzeug %1</translation>
+    </message>
+    <message>
+        <source>, no depth</source>
+        <translation>, keine Tiefe</translation>
+    </message>
+    <message>
+        <source>The tool is where it was clicked; nothing follows it.</source>
+        <translation>Das Werkzeug ist dort, wo geklickt wurde; nichts folgt ihm.</translation>
+    </message>
+    <message>
+        <source>No tool: draw a box around it in the camera picture.</source>
+        <translation>Kein Werkzeug: Zeichnen Sie im Kamerabild einen Rahmen darum.</translation>
+    </message>
+    <message>
+        <source>Tool found again, confidence %1.</source>
+        <translation>Werkzeug wiedergefunden, Vertrauen %1.</translation>
+    </message>
+    <message>
+        <source>Tool tracked, confidence %1.</source>
+        <translation>Werkzeug verfolgt, Vertrauen %1.</translation>
+    </message>
+    <message>
+        <source>Tool seen, but not its depth for %1</source>
+        <translation>Werkzeug gesehen, aber seit %1 nicht seine Tiefe</translation>
+    </message>
+    <message>
+        <source>Tool not seen for %1</source>
+        <translation>Werkzeug seit %1 nicht gesehen</translation>
+    </message>
+    <message>
+        <source>: taken to go on as it moved. At %1 it counts as lost.</source>
+        <translation>: Es gilt, dass es sich weiterbewegt wie zuvor. Nach %1 gilt es als verloren.</translation>
+    </message>
+    <message>
+        <source>Learning: this tracker learns nothing.</source>
+        <translation>Lernen: Dieser Verfolger lernt nichts.</translation>
+    </message>
+    <message>
+        <source>Learning is off: only what is known by now counts.</source>
+        <translation>Lernen ist aus: Es zählt nur, was jetzt bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Learning from what it sees.</source>
+        <translation>Lernt aus dem, was er sieht.</translation>
+    </message>
+    <message>
+        <source>Learning is suspended: what is seen is not sure enough to learn from. It goes on by itself.</source>
+        <translation>Lernen ist ausgesetzt: Was gesehen wird, ist nicht sicher genug, um daraus zu lernen. Es geht von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Model: %1 views of the tool, %2 of other things.</source>
+        <translation>Modell: %1 Ansichten des Werkzeugs, %2 von anderem.</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::CameraView</name>
@@ -859,18 +1041,20 @@
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Click, or arrows and Enter: this is the tool.
-Right click or Escape: forget it.</source>
-        <translation>Klick oder Pfeile und Eingabe: das ist das Werkzeug.
-Rechtsklick oder Escape: vergessen.</translation>
-    </message>
-    <message>
         <source>No picture has arrived.</source>
         <translation>Es ist kein Bild angekommen.</translation>
     </message>
     <message>
         <source>This source has no picture.</source>
         <translation>Diese Quelle hat kein Bild.</translation>
+    </message>
+    <message>
+        <source>Drag a box around the tool, or B, arrows and Enter: follow it.
+Click, or arrows and Enter: the tool stays here.
+Right click or Escape: forget it.</source>
+        <translation>Einen Rahmen um das Werkzeug ziehen, oder B, Pfeiltasten und Eingabe: ihm folgen.
+Klick, oder Pfeiltasten und Eingabe: Das Werkzeug bleibt hier.
+Rechtsklick oder Escape: vergessen.</translation>
     </message>
 </context>
 <context>
@@ -987,6 +1171,10 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>%1 is not a recording that can be opened. Drop a folder with left and right pictures, with depth pictures, or with PCD or PLY files.</source>
         <translation>%1 ist keine Aufnahme, die geöffnet werden kann. Einen Ordner mit linken und rechten Bildern, mit Tiefenbildern oder mit PCD- oder PLY-Dateien hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Tool: %1</source>
+        <translation>Werkzeug: %1</translation>
     </message>
 </context>
 <context>
@@ -1288,6 +1476,101 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Milliseconds that this stage took for the last frame</source>
         <translation>Millisekunden, die diese Stufe für das letzte Bild brauchte</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::TrackingDock</name>
+    <message>
+        <source>Models of a tool (*.tool);;All files (*)</source>
+        <translation>Modelle eines Werkzeugs (*.tool);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Tracking</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>Tracker</source>
+        <translation>Verfolger</translation>
+    </message>
+    <message>
+        <source>What follows the tool; a new one begins where the old one saw it</source>
+        <translation>Was dem Werkzeug folgt; ein neuer beginnt dort, wo der alte es sah</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>tld: go on learning what the tool looks like</source>
+        <translation>tld: weiter lernen, wie das Werkzeug aussieht</translation>
+    </message>
+    <message>
+        <source>Draw box</source>
+        <translation>Rahmen zeichnen</translation>
+    </message>
+    <message>
+        <source>Begin a box in the camera picture: arrows size it, Enter starts, Escape gives up. Or drag one with the mouse.</source>
+        <translation>Einen Rahmen im Kamerabild beginnen: Pfeiltasten ändern seine Größe, Eingabe startet, Escape verwirft. Oder mit der Maus aufziehen.</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Begin anew where the tool was last seen; what was learnt since is forgotten</source>
+        <translation>Neu beginnen, wo das Werkzeug zuletzt gesehen wurde; was seither gelernt wurde, wird vergessen</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Nothing follows the tool any more</source>
+        <translation>Nichts folgt dem Werkzeug mehr</translation>
+    </message>
+    <message>
+        <source>Load...</source>
+        <translation>Laden...</translation>
+    </message>
+    <message>
+        <source>Find the tool by a saved model; several files are merged. Only tld can.</source>
+        <translation>Das Werkzeug mit einem gespeicherten Modell finden; mehrere Dateien werden vereint. Nur tld kann das.</translation>
+    </message>
+    <message>
+        <source>Merge...</source>
+        <translation>Vereinen...</translation>
+    </message>
+    <message>
+        <source>Add saved models to what is known by now</source>
+        <translation>Gespeicherte Modelle zu dem hinzufügen, was jetzt bekannt ist</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern...</translation>
+    </message>
+    <message>
+        <source>Save what is known by now</source>
+        <translation>Speichern, was jetzt bekannt ist</translation>
+    </message>
+    <message>
+        <source>Learnt views</source>
+        <translation>Gelernte Ansichten</translation>
+    </message>
+    <message>
+        <source>What was learnt last: above, views of the tool; below, of what is not the tool</source>
+        <translation>Was zuletzt gelernt wurde: oben Ansichten des Werkzeugs, unten von dem, was nicht das Werkzeug ist</translation>
+    </message>
+    <message>
+        <source>Merge models of the tool</source>
+        <translation>Modelle des Werkzeugs vereinen</translation>
+    </message>
+    <message>
+        <source>Load a model of the tool</source>
+        <translation>Ein Modell des Werkzeugs laden</translation>
+    </message>
+    <message>
+        <source>Save the model of the tool</source>
+        <translation>Das Modell des Werkzeugs speichern</translation>
     </message>
 </context>
 <context>
