@@ -95,7 +95,8 @@ class TestDemoExport : public QObject {
     const TemporaryFolder temporary;
     const auto folder = temporary.path("yard");
     QVERIFY(exportDemo({"yard", 1, folder, true}, goOn));
-    const YardTruth& truth = *m_frames.at("", 0)->truth->yard;
+    const FramePtr frame = m_frames.at("", 0);
+    const YardTruth& truth = *frame->truth->yard;
     const auto read = [&](const char* name) {
       return cv::imread((folder / "truth" / name / "000000.png").string(), cv::IMREAD_UNCHANGED);
     };
