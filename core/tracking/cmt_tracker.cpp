@@ -5,15 +5,15 @@
 #include <numeric>
 #include <opencv2/core/hal/hal.hpp>
 #include <opencv2/features2d.hpp>
-#include <opencv2/video/tracking.hpp>
 
 #include "frame/error.h"
+#include "tracking/point_flow.h"
 
 namespace boomwatch {
 namespace {
 
 constexpr std::size_t fewestModelPoints = 6;
-// Of the target's points must agree, as published.
+// Of the target's points must agree. Published is 0.1, of fewer points than are taken here.
 constexpr double smallestShare = 0.05;
 constexpr std::size_t fewestAgreeing = 5;
 // A match must be this much nearer than the next, as published (descriptors of 512 bits).
@@ -26,7 +26,7 @@ constexpr double largestReach = 20.0;  // pixels
 constexpr double reachShare = 0.3;     // of the box
 constexpr double largestReturn = 3.0;  // forward-backward error, pixels
 const cv::Size window(15, 15);
-constexpr int pyramidLevels = 4;
+constexpr double smallestSimilarity = 0.3;  // NCC of a point's surroundings, image to image
 constexpr double largestScale = 8.0;
 
 /// In the ellipse that fills the box: what lies in the box's corners is seldom the target.
@@ -76,24 +76,19 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   m_box = box;
 }
 
+/// Adaptive correspondences: where the points of the image before have gone. What looks another way
+/// than a moment ago is not the target's point any more.
 std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   if (m_active.empty() || m_before.size() != grey.size()) return {};
-  std::vector<cv::Point2f> before, there, back;
+  std::vector<cv::Point2f> before;
   for (const KeypointPair& point : m_active) before.emplace_back(point.position);
-  std::vector<cv::Mat> pyramidBefore, pyramidNow;
-  const int levels = cv::buildOpticalFlowPyramid(m_before, pyramidBefore, window, pyramidLevels);
-  cv::buildOpticalFlowPyramid(grey, pyramidNow, window, pyramidLevels);
-  std::vector<unsigned char> foundThere, foundBack;
-  cv::calcOpticalFlowPyrLK(pyramidBefore, pyramidNow, before, there, foundThere, cv::noArray(),
-                           window, levels);
-  cv::calcOpticalFlowPyrLK(pyramidNow, pyramidBefore, there, back, foundBack, cv::noArray(), window,
-                           levels);
-  const cv::Rect2f inside(0.0F, 0.0F, static_cast<float>(grey.cols), static_cast<float>(grey.rows));
   std::vector<KeypointPair> points;
-  for (std::size_t i = 0; i < m_active.size(); ++i) {
-    if (!foundThere[i] || !foundBack[i] || !inside.contains(there[i])) continue;
-    if (cv::norm(back[i] - before[i]) > largestReturn) continue;
-    points.push_back({m_active[i].id, m_active[i].model, cv::Point2d(there[i])});
+  for (const FollowedPoint& point : followPoints(m_before, grey, before, window)) {
+    if (point.error > largestReturn) continue;
+    const double alike = patchSimilarity(m_before, before[point.index], grey, point.position);
+    if (alike < smallestSimilarity) continue;
+    const KeypointPair& active = m_active[point.index];
+    points.push_back({active.id, active.model, cv::Point2d(point.position)});
   }
   return points;
 }

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
 #include <vector>
+
+#include "tracking/point_flow.h"
 
 namespace boomwatch {
 namespace {
 
 constexpr int gridSide = 10;
 constexpr std::size_t fewestPoints = 6;
-constexpr int pyramidLevels = 4;
 // What the search for a point can reach over all levels, and the box's own size, must be inside.
 constexpr double margin = 64.0;  // pixels
 const cv::Size window(9, 9);
-const cv::Size patchSize(11, 11);
 
 /// A point in both images.
 struct Match {
@@ -42,32 +40,12 @@ std::vector<cv::Point2f> gridIn(const cv::Rect2d& box) {
   return points;
 }
 
-double similarityOf(const cv::Mat& before, const cv::Mat& after, const Match& match) {
-  cv::Mat a, b, ncc;
-  cv::getRectSubPix(before, patchSize, match.before, a);
-  cv::getRectSubPix(after, patchSize, match.after, b);
-  cv::matchTemplate(a, b, ncc, cv::TM_CCOEFF_NORMED);
-  return ncc.at<float>(0);
-}
-
 /// The points that can be followed there and back.
 std::vector<Match> follow(const cv::Mat& before, const cv::Mat& after,
                           const std::vector<cv::Point2f>& points) {
-  std::vector<cv::Mat> pyramidBefore, pyramidAfter;
-  const int levels = cv::buildOpticalFlowPyramid(before, pyramidBefore, window, pyramidLevels);
-  cv::buildOpticalFlowPyramid(after, pyramidAfter, window, pyramidLevels);
-  std::vector<cv::Point2f> there, back;
-  std::vector<unsigned char> foundThere, foundBack;
-  cv::calcOpticalFlowPyrLK(pyramidBefore, pyramidAfter, points, there, foundThere, cv::noArray(),
-                           window, levels);
-  cv::calcOpticalFlowPyrLK(pyramidAfter, pyramidBefore, there, back, foundBack, cv::noArray(),
-                           window, levels);
-  const cv::Rect2f inside(0.0F, 0.0F, static_cast<float>(after.cols),
-                          static_cast<float>(after.rows));
   std::vector<Match> matches;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!foundThere[i] || !foundBack[i] || !inside.contains(there[i])) continue;
-    matches.push_back({points[i], there[i], cv::norm(back[i] - points[i]), 0.0});
+  for (const FollowedPoint& point : followPoints(before, after, points, window)) {
+    matches.push_back({points[point.index], point.position, point.error, 0.0});
   }
   return matches;
 }
@@ -133,7 +111,9 @@ std::optional<MedianFlow> medianFlow(const cv::Mat& before, const cv::Mat& after
   std::vector<Match> matches = follow(partBefore, partAfter, gridIn(box - origin));
   if (matches.size() < fewestPoints) return std::nullopt;
   keepBetterHalf(matches, [](const Match& match) { return -match.error; });
-  for (Match& match : matches) match.similarity = similarityOf(partBefore, partAfter, match);
+  for (Match& match : matches) {
+    match.similarity = patchSimilarity(partBefore, match.before, partAfter, match.after);
+  }
   keepBetterHalf(matches, [](const Match& match) { return match.similarity; });
   if (matches.size() < fewestPoints / 2) return std::nullopt;
   MedianFlow flow = flowOf(matches, box - origin);

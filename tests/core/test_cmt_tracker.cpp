@@ -14,7 +14,7 @@ namespace {
 
 const cv::Point2d beginning(160.0, 120.0);
 
-/// Points that turned about (160, 120), grew, and of which every third went astray.
+/// Points that turned about (160, 120), grew, and of which every fifth went astray.
 std::vector<KeypointPair> pairs(double rotation, double scale, bool astray) {
   cv::RNG random(7);
   std::vector<KeypointPair> points;
@@ -22,7 +22,7 @@ std::vector<KeypointPair> pairs(double rotation, double scale, bool astray) {
   for (int id = 0; id < 60; ++id) {
     const cv::Point2d model(random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0));
     cv::Point2d position = placeOf(pose, model);
-    if (astray && id % 3 == 0) {
+    if (astray && id % 5 == 0) {
       position = {random.uniform(0.0, 320.0), random.uniform(0.0, 240.0)};
     }
     points.push_back({id, model, position});
@@ -68,14 +68,14 @@ void TestCmtTracker::consensusOfKnownMotion() {
   for (const bool astray : {false, true}) {
     const auto consensus = consensusOf(pairs(rotation, scale, astray), 10.0);
     QVERIFY(consensus);
-    // A third of the points are wrong, so that 56 % of the pairs are; medians bear half.
+    // A fifth of the points are wrong, and so 36 % of the pairs: the medians shift a little.
     const double share = astray ? 0.15 : 1e-9;
     QVERIFY(std::abs(consensus->pose.scale / scale - 1.0) <= share);
     const double off = std::remainder(consensus->pose.rotation - rotation, 2 * std::numbers::pi);
     QVERIFY2(std::abs(off) <= share, qPrintable(QString::number(off)));
     QVERIFY(cv::norm(consensus->pose.centre - beginning) <= (astray ? 6.0 : 1e-6));
     const auto strays = std::count_if(consensus->points.begin(), consensus->points.end(),
-                                      [](const KeypointPair& point) { return point.id % 3 == 0; });
+                                      [](const KeypointPair& point) { return point.id % 5 == 0; });
     QVERIFY(!astray || strays <= 4);
   }
 }
