@@ -621,6 +621,62 @@
         <source>A level ends only after a lower one would have done for so long; a load that retreats is not kept waiting</source>
         <translation>Eine Stufe endet erst, wenn so lange eine niedrigere genügt hätte; eine Last, die sich entfernt, muss nicht warten</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisierung</translation>
+    </message>
+    <message>
+        <source>thesis: Eq. 8-9, one miss can drop a cell; hysteresis: a cell leaves only at the leave threshold; log_odds: Bayes&apos; rule</source>
+        <translation>thesis: Gl. 8-9, eine Lücke kann eine Zelle löschen; hysteresis: eine Zelle geht erst an der Austrittsschwelle; log_odds: Satz von Bayes</translation>
+    </message>
+    <message>
+        <source>Leave threshold</source>
+        <translation>Austrittsschwelle</translation>
+    </message>
+    <message>
+        <source>hysteresis: at this probability a cell no longer counts; below probtresh</source>
+        <translation>hysteresis: bei dieser Wahrscheinlichkeit zählt eine Zelle nicht mehr; unter probtresh</translation>
+    </message>
+    <message>
+        <source>Odds hit</source>
+        <translation>Chance Treffer</translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is measured once</source>
+        <translation>log_odds: Wahrscheinlichkeit einer Zelle, die einmal gemessen wird</translation>
+    </message>
+    <message>
+        <source>Odds miss</source>
+        <translation>Chance Lücke</translation>
+    </message>
+    <message>
+        <source>log_odds: probability of a cell that is missed once</source>
+        <translation>log_odds: Wahrscheinlichkeit einer Zelle, in der einmal nichts gemessen wird</translation>
+    </message>
+    <message>
+        <source>Odds low</source>
+        <translation>Chance Untergrenze</translation>
+    </message>
+    <message>
+        <source>log_odds: a hit starts from this probability at least</source>
+        <translation>log_odds: ein Treffer geht mindestens von dieser Wahrscheinlichkeit aus</translation>
+    </message>
+    <message>
+        <source>Odds high</source>
+        <translation>Chance Obergrenze</translation>
+    </message>
+    <message>
+        <source>log_odds: hits raise the probability to this at most</source>
+        <translation>log_odds: Treffer heben die Wahrscheinlichkeit höchstens bis hierher</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn the right camera by up to a degree, so that the rows of both pictures agree</source>
+        <translation>Die rechte Kamera um höchstens ein Grad drehen, damit die Zeilen beider Bilder übereinstimmen</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -851,6 +907,14 @@
         <source>checks</source>
         <translation>Prüfung</translation>
     </message>
+    <message>
+        <source>Search too short</source>
+        <translation>Suche zu kurz</translation>
+    </message>
+    <message>
+        <source>Nothing was found, but the search ends before caution begins. Raise radius or range.</source>
+        <translation>Nichts wurde gefunden, aber die Suche endet, bevor die Vorsicht beginnt. Radius oder Reichweite erhöhen.</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::CameraView</name>
@@ -988,6 +1052,14 @@ Rechtsklick oder Escape: vergessen.</translation>
         <source>%1 is not a recording that can be opened. Drop a folder with left and right pictures, with depth pictures, or with PCD or PLY files.</source>
         <translation>%1 ist keine Aufnahme, die geöffnet werden kann. Einen Ordner mit linken und rechten Bildern, mit Tiefenbildern oder mit PCD- oder PLY-Dateien hierher ziehen.</translation>
     </message>
+    <message>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px voneinander ab. Neu kalibrieren oder Ausrichten einschalten.</translation>
+    </message>
+    <message>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. That is corrected; better calibrate anew.</source>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px voneinander ab. Das ist korrigiert; besser neu kalibrieren.</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::MapView</name>
@@ -1057,6 +1129,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Not in force</source>
         <translation>Nicht in Kraft</translation>
+    </message>
+    <message>
+        <source>At or above the highest probability a cell can reach, p_prior / (1 - p_post) or log_odds_high: nothing enters the model.</source>
+        <translation>Mindestens so hoch wie die größte Wahrscheinlichkeit, die eine Zelle erreichen kann, p_prior / (1 - p_post) oder log_odds_high: Nichts gelangt in das Modell.</translation>
+    </message>
+    <message>
+        <source>So low that a cell which is looked through stays occupied: nothing leaves the model.</source>
+        <translation>So niedrig, dass eine Zelle, durch die hindurchgesehen wird, belegt bleibt: Nichts verlässt das Modell.</translation>
+    </message>
+    <message>
+        <source>The search ends before the caution distance: where it finds nothing there is no distance, rather than clear.</source>
+        <translation>Die Suche endet vor dem Vorsichtsabstand: Findet sie nichts, gibt es keinen Abstand statt „frei“.</translation>
     </message>
 </context>
 <context>

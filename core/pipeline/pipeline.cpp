@@ -128,6 +128,7 @@ bool Pipeline::State::sense(Result& result) {
     result.image = stereoResult.left;
     result.cloud = stereoResult.cloud;
     result.rowResidue = stereoResult.rowResidue;
+    result.rowsCorrected = stereoResult.rowsCorrected;
     depthPerPixel = 1.0 / (stereoResult.focalLength * stereoResult.baseline);
     return true;
   } catch (const Error& fault) {

@@ -269,11 +269,12 @@ StereoResult StereoStage::process(const cv::Mat& left, const cv::Mat& right, con
   const bool refined = parameters.refine && fit && fit->worthwhile();
   if (m_maps->turnRight(refined ? fit->turn : cv::Matx33d::eye())) m_smoother.reset();
   StereoResult result;
+  if (fit) result.rowResidue = fit->residue;
+  if (refined) result.rowsCorrected = fit->remaining;
   result.left = remapped(left, m_maps->leftXy, m_maps->leftWeights);
   const cv::Mat rectifiedRight = remapped(grey(right), m_maps->rightXy, m_maps->rightWeights);
   const cv::Mat matched = matchDisparity(result.left, rectifiedRight, parameters);
   m_rows.look(grey(result.left), rectifiedRight, matched, m_maps->rightCamera);
-  if (fit) result.rowResidue = refined ? fit->remaining : fit->residue;
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
   result.cloud = reproject(result.disparity, m_maps->projection);
