@@ -116,13 +116,14 @@ class HeadlessRun {
     m_last = std::make_shared<Result>(std::move(result));
   }
 
-  /// No fault, but no number is right then. Once is enough.
+  /// No fault of this run. Once is enough.
   void sayIfRowsDiffer(const Result& result) {
-    if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+    if (m_rowsTold || result.rowResidue.value_or(0.0) <= mostRowResidue) return;
     m_rowsTold = true;
     complain("the calibration does not fit: the rows of left and right differ by " +
              QString::number(*result.rowResidue, 'f', 1).toStdString() +
-             " px. Calibrate anew, or set stereo_refine.");
+             (result.rowsCorrected ? " px. That is corrected; better calibrate anew."
+                                   : " px. Calibrate anew, or set stereo_refine."));
   }
 
   /// No fault: some containers only estimate how many frames they hold.

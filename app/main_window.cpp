@@ -177,6 +177,11 @@ void MainWindow::showNotice(const Notice& notice) {
                                   "by %1 px. Calibrate anew, or switch on Refine.")
                                    .arg(notice.text));
       break;
+    case Notice::Kind::RowsCorrected:
+      m_panes.state->showNotice(tr("The calibration does not fit: the rows of left and right "
+                                   "differ by %1 px. That is corrected; better calibrate anew.")
+                                    .arg(notice.text));
+      break;
     case Notice::Kind::Parameters:
       m_panes.state->showFault(tr("Parameters not in force: %1").arg(notice.text));
       break;

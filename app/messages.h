@@ -72,12 +72,13 @@ struct SourceStatus {
 /// Something to tell the person.
 struct Notice {
   enum class Kind {
-    OpenFailed,   ///< the source named could not be opened; the old one goes on
-    Frame,        ///< one frame could not be used
-    Lost,         ///< a live source is gone
-    Tool,         ///< what was asked of the tracker could not be done
-    Calibration,  ///< the rows of the pair differ: the text is by how many pixels
-    Parameters,   ///< the parameters contradict each other; the last good ones stay in force
+    OpenFailed,     ///< the source named could not be opened; the old one goes on
+    Frame,          ///< one frame could not be used
+    Lost,           ///< a live source is gone
+    Tool,           ///< what was asked of the tracker could not be done
+    Calibration,    ///< the rows of the pair differ: the text is by how many pixels
+    RowsCorrected,  ///< the same, but it is corrected
+    Parameters,     ///< the parameters contradict each other; the last good ones stay in force
   };
   Kind kind = Kind::Frame;
   QString text;

@@ -72,6 +72,7 @@ QByteArray toJsonLine(const Result& result) {
       {"truth_m",
        result.frame && result.frame->truth ? QJsonValue(result.frame->truth->distance) : none},
       {"row_residue_px", number(result.rowResidue)},
+      {"rows_corrected_px", number(result.rowsCorrected)},
       {"tool", result.frame ? toolObject(result.tool) : none},
       {"message", QString::fromStdString(result.message)},
       {"timings_ms", timings},

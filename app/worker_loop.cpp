@@ -231,9 +231,10 @@ void WorkerLoop::checkAge() {
 }
 
 void WorkerLoop::checkRows(const Result& result) {
-  if (m_rowsTold || !result.rowResidue || *result.rowResidue <= mostRowResidue) return;
+  if (m_rowsTold || result.rowResidue.value_or(0.0) <= mostRowResidue) return;
   m_rowsTold = true;
-  tell(Notice::Kind::Calibration, QString::number(*result.rowResidue, 'f', 1).toStdString());
+  const auto kind = result.rowsCorrected ? Notice::Kind::RowsCorrected : Notice::Kind::Calibration;
+  tell(kind, QString::number(*result.rowResidue, 'f', 1).toStdString());
 }
 
 void WorkerLoop::countFrame() {

@@ -75,7 +75,7 @@ bool touch(std::span<Vector3f> a, std::span<Vector3f> b, float limit) {
 class CellJoiner {
  public:
   CellJoiner(PointGrid& grid, float limit)
-      : m_grid(grid), m_limit(limit), m_parent(grid.cells.size()) {
+      : m_grid(grid), m_limit(limit), m_parent(grid.cells.size()), m_runEnd(grid.cells.size()) {
     std::iota(m_parent.begin(), m_parent.end(), 0U);
     joinAll();
   }
@@ -103,10 +103,16 @@ class CellJoiner {
     }
   }
 
-  /// Lets every cell name its root, so that most pairs are told apart by one comparison.
+  /// Lets every cell name its root, so that most pairs are told apart by one comparison, and finds
+  /// the runs of cells that belong together: what is true of one of them is true of all.
   void flatten() {
     // In this order, because a parent never comes after its children.
     for (std::uint32_t& parent : m_parent) parent = m_parent[parent];
+    auto end = static_cast<std::uint32_t>(m_parent.size());
+    for (std::uint32_t k = end; k-- > 0;) {
+      if (k + 1 < m_parent.size() && m_parent[k] != m_parent[k + 1]) end = k + 1;
+      m_runEnd[k] = end;
+    }
   }
 
   /// All of the cells of both rows, as far as parents tell.
@@ -129,19 +135,28 @@ class CellJoiner {
     std::uint32_t first = other.begin;
     for (std::uint32_t a = row.begin; a < row.end; ++a) {
       while (first < other.end && columnOf(first) + 2 < columnOf(a)) ++first;
-      for (std::uint32_t b = first; b < other.end && near(a, b); ++b) join(a, b);
+      for (std::uint32_t b = first; b < other.end && near(a, b);)
+        b = join(a, b) ? m_runEnd[b] : b + 1;
     }
   }
 
   std::uint32_t columnOf(std::uint32_t cell) const { return m_grid.cells[cell].place / 4; }
   bool near(std::uint32_t a, std::uint32_t b) const { return columnOf(b) <= columnOf(a) + 2; }
 
-  void join(std::uint32_t a, std::uint32_t b) {
-    if (m_parent[a] == m_parent[b]) return;
+  /// Whether both now belong together.
+  bool join(std::uint32_t a, std::uint32_t b) {
+    if (m_parent[a] == m_parent[b]) return true;
+    const std::span<Vector3f> inA = pointsOf(a);
+    const std::span<Vector3f> inB = pointsOf(b);
+    // Of two lone points the distance is sooner known than the roots are.
+    const bool lone = inA.size() == 1 && inB.size() == 1;
+    if (lone && !(squared(inA[0] - inB[0]) < m_limit)) return false;
     const std::uint32_t rootA = rootOf(a);
     const std::uint32_t rootB = rootOf(b);
-    if (rootA == rootB || !touch(pointsOf(a), pointsOf(b), m_limit)) return;
+    if (rootA == rootB) return true;
+    if (!lone && !touch(inA, inB, m_limit)) return false;
     m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+    return true;
   }
 
   std::span<Vector3f> pointsOf(std::uint32_t cell) {
@@ -152,6 +167,7 @@ class CellJoiner {
   PointGrid& m_grid;
   float m_limit;
   std::vector<std::uint32_t> m_parent;
+  std::vector<std::uint32_t> m_runEnd;  ///< the next cell that was of another cluster
 };
 
 /// Every finite point for itself.

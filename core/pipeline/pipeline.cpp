@@ -160,6 +160,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     StereoResult stereoResult = stereo.match(pair, result.parameters.stereo);
     result.cloud = stereoResult.cloud;
     result.rowResidue = stereoResult.rowResidue;
+    result.rowsCorrected = stereoResult.rowsCorrected;
     depthPerPixel = 1.0 / (stereoResult.focalLength * stereoResult.baseline);
     return true;
   } catch (const Error& fault) {

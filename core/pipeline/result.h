@@ -47,8 +47,9 @@ struct Result {
   /// The depth error, +- metres, that a quarter of a pixel of disparity makes at the nearest point;
   /// absent unless the frame came from a calibrated stereo pair.
   std::optional<double> depthUncertainty;
-  /// How far the rows of a rectified pair differ, pixels (see StereoResult); absent as there.
-  std::optional<double> rowResidue;
+  /// How far the rows of a rectified pair differ by the calibration, and what is left of that where
+  /// it is corrected, pixels (see StereoResult); absent as there.
+  std::optional<double> rowResidue, rowsCorrected;
   bool modelRebuilt = false;  ///< the model was begun anew: its size changed
   std::vector<StageTiming> timings;
   std::shared_ptr<const EnvironmentModel> model;  ///< a copy; absent unless asked for

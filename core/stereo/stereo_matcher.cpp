@@ -274,10 +274,12 @@ RectifiedPair StereoStage::rectify(const cv::Mat& left, const cv::Mat& right, co
 
 StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameters& parameters) {
   StereoResult result;
+  const auto& fit = m_rows.fit();
+  if (fit) result.rowResidue = fit->residue;
+  if (m_refined) result.rowsCorrected = fit->remaining;
   result.left = pair.left;
   const cv::Mat matched = matchDisparity(pair.left, pair.right, parameters);
   m_rows.look(grey(pair.left), pair.right, matched, m_maps->rightCamera);
-  if (const auto& fit = m_rows.fit()) result.rowResidue = m_refined ? fit->remaining : fit->residue;
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
   result.cloud = reproject(result.disparity, m_maps->projection);

@@ -24,10 +24,11 @@ struct StereoResult {
   std::shared_ptr<const Cloud> cloud;
   double focalLength = 0.0;  ///< pixels, of the rectified pair
   double baseline = 0.0;     ///< metres
-  /// How far the rows of left and right differ, pixels, by features of the first frames; absent
-  /// until those are seen, and where they show too little. See mostRowResidue. With `refine` what
-  /// is left after the correction.
+  /// How far the rows of left and right differ by the calibration, pixels, by features of the first
+  /// frames; absent until those are seen, and where they show too little. See mostRowResidue.
   std::optional<double> rowResidue;
+  /// What is left of it, where the right camera is turned to put it right.
+  std::optional<double> rowsCorrected;
 };
 
 /// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject

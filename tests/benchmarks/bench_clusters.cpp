@@ -1,7 +1,5 @@
 // Euclidean clusters against pcl::EuclideanClusterExtraction on the same points.
 #include <pcl/io/pcd_io.h>
-#include <pcl/search/kdtree.h>
-#include <pcl/segmentation/extract_clusters.h>
 
 #include <filesystem>
 #include <string>
@@ -10,37 +8,21 @@
 #include "environment/clusters.h"
 #include "environment/voxel_grid.h"
 #include "floor_with_boxes.h"
+#include "pcl_peers.h"
 
 using boomwatch::Points;
 namespace bench = boomwatch::bench;
 
 namespace {
 
-pcl::PointCloud<pcl::PointXYZ>::Ptr toPcl(const Points& points) {
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  for (const auto& p : points) cloud->push_back({p.x(), p.y(), p.z()});
-  return cloud;
-}
-
-std::size_t clustersOfPcl(const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud, float tolerance) {
-  const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>(false));
-  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
-  extraction.setSearchMethod(tree);
-  extraction.setClusterTolerance(tolerance);
-  extraction.setInputCloud(cloud);
-  std::vector<pcl::PointIndices> found;
-  extraction.extract(found);
-  return found.size();
-}
-
 void compare(const std::string& name, const Points& points, float tolerance, const char* bar) {
-  const auto cloud = toPcl(points);
+  const auto cloud = bench::toPcl(points);
   std::size_t ours = 0;
   std::size_t theirs = 0;
   const double own = bench::medianMilliseconds(
       15, [&] { ours = boomwatch::euclideanClusters(points, tolerance).sizes.size(); });
   const double peer =
-      bench::medianMilliseconds(3, [&] { theirs = clustersOfPcl(cloud, tolerance); });
+      bench::medianMilliseconds(3, [&] { theirs = bench::clustersOfPcl(cloud, tolerance); });
   bench::print((name + "_points").c_str(), static_cast<double>(points.size()), "points", "-");
   bench::print((name + "_time").c_str(), own, "ms", "-");
   bench::print((name + "_pcl_over_ours").c_str(), peer / own, "x", bar);

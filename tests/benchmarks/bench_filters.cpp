@@ -1,14 +1,15 @@
 // The whole filter stage against PCL's own filters for its two main steps.
 #include <pcl/filters/voxel_grid.h>
-#include <pcl/search/kdtree.h>
-#include <pcl/segmentation/extract_clusters.h>
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "benchmark.h"
 #include "environment/static_scene.h"
 #include "environment/voxel_grid.h"
 #include "floor_with_boxes.h"
+#include "pcl_peers.h"
 
 using boomwatch::Cloud;
 using boomwatch::Parameters;
@@ -37,28 +38,15 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr downsampledByPcl(
   return result;
 }
 
-void clusterByPcl(const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud, double tolerance) {
-  const pcl::search::KdTree<pcl::PointXYZ>::Ptr tree(new pcl::search::KdTree<pcl::PointXYZ>(false));
-  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
-  extraction.setSearchMethod(tree);
-  extraction.setClusterTolerance(tolerance);
-  extraction.setInputCloud(cloud);
-  std::vector<pcl::PointIndices> found;
-  extraction.extract(found);
-}
-
 }  // namespace
 
 int main() {
   const Parameters parameters;
   const Cloud cloud = organisedCloud();
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr forPcl(new pcl::PointCloud<pcl::PointXYZ>);
   boomwatch::Points measured;
-  for (const auto& p : cloud.points) {
-    if (!boomwatch::isMeasured(p)) continue;
-    forPcl->push_back({p.x(), p.y(), p.z()});
-    measured.push_back(p);
-  }
+  std::copy_if(cloud.points.begin(), cloud.points.end(), std::back_inserter(measured),
+               boomwatch::isMeasured);
+  const auto forPcl = bench::toPcl(measured);
   const double stage = bench::medianMilliseconds(
       21, [&] { boomwatch::separateStatic(cloud, Eigen::Vector3f(0, 0, 5), {}, parameters); });
   const double voxels = bench::medianMilliseconds(21, [&] {
@@ -68,7 +56,7 @@ int main() {
   const double voxelsOfPcl = bench::medianMilliseconds(11, [&] { downsampledByPcl(forPcl, leaf); });
   const auto downsampled = downsampledByPcl(forPcl, leaf);
   const double clustersOfPcl = bench::medianMilliseconds(
-      3, [&] { clusterByPcl(downsampled, parameters.filter.clusterTolerance); });
+      3, [&] { bench::clustersOfPcl(downsampled, parameters.filter.clusterTolerance); });
   bench::print("filter_stage", stage, "ms", "-");
   bench::print("filter_stage_pcl", voxelsOfPcl + clustersOfPcl, "ms", "-");
   bench::print("filter_stage_pcl_over_ours", (voxelsOfPcl + clustersOfPcl) / stage, "x", "-");

@@ -38,6 +38,16 @@ QString badMessage(const ReadResult& read) {
   return read.status == ReadResult::Status::Bad ? QString::fromStdString(read.message) : QString();
 }
 
+/// Columns for files that are faulty, and what adds a row: its title, the file's name and content,
+/// and what is said of it.
+auto faultRows() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("complaint");
+  return [](const char* title, const QString& name, const QByteArray& bytes,
+            const char* complaint) { QTest::newRow(title) << name << bytes << complaint; };
+}
+
 }  // namespace
 
 class TestDepthSource : public QObject {
@@ -152,13 +162,7 @@ class TestDepthSource : public QObject {
   }
 
   void whatCannotBeOpenedIsRefusedByName_data() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<QString>("complaint");
-    const auto row = [](const char* title, const QString& name, const QByteArray& bytes,
-                        const char* complaint) {
-      QTest::newRow(title) << name << bytes << complaint;
-    };
+    const auto row = faultRows();
     row("no intrinsics", "note.txt", "hello", "no intrinsics");
     row("empty", "intrinsics.yaml", "", "empty");
     row("not YAML", "intrinsics.yaml", "\x01\x02 rubbish", "intrinsics.yaml");
@@ -205,13 +209,7 @@ class TestDepthSource : public QObject {
   }
 
   void badImagesAreBadFramesAndTheNextOneIsRead_data() {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<QString>("complaint");
-    const auto row = [](const char* title, const QString& name, const QByteArray& bytes,
-                        const char* complaint) {
-      QTest::newRow(title) << name << bytes << complaint;
-    };
+    const auto row = faultRows();
     row("empty", "depth/2.png", "", "empty");
     row("not an image", "depth/2.png", "hello", "not a PNG");
     row("truncated", "depth/2.png", depthPng(7, {64, 48}).left(60), "damaged");

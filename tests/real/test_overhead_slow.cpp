@@ -39,7 +39,6 @@ Parameters overheadParameters() {
   parameters.stereo.texture = 0.4;
   parameters.stereo.average = 20;
   parameters.stereo.smooth = 31;
-  parameters.stereo.refine = true;
   parameters.filter.clusterMinimum = 100;
   parameters.load.source = LoadSource::Manual;
   parameters.load.x = parameters.load.y = 0.0;
