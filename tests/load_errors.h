@@ -55,35 +55,39 @@ struct Errors {
   }
 };
 
-inline LoadDetection detectIn(const LoadScene& scene, unsigned seed,
-                              const LoadParameters& parameters = {}) {
+/// Absent where the grapple is hidden.
+inline std::optional<LoadDetection> detectIn(const LoadScene& scene, unsigned seed,
+                                             const LoadParameters& parameters = {}) {
   const Cloud cloud = cloudOf(scene, seed);
   const auto tool = toolPointOf(scene, cloud, seed);
-  if (!tool) return LoadDetection::refused(LoadFault::NoToolPoint);
+  if (!tool) return std::nullopt;
   return detectLoad(cloud, *tool, scene.depthNoise(), wideBounds(), parameters);
 }
 
-/// Logs in grapples with seeds [first, last).
-inline Errors errorsOf(unsigned first, unsigned last) {
-  Errors errors;
-  for (unsigned seed = first; seed < last; ++seed) {
+/// Adds `poses` logs in grapples that are not hidden, from seed `first` on.
+inline void addPoses(Errors& errors, unsigned first, int poses) {
+  for (unsigned seed = first; poses > 0; ++seed) {
     const LoadScene scene = logInGrapple(seed);
-    const LoadDetection found = detectIn(scene, seed);
+    const auto found = detectIn(scene, seed);
+    if (!found) continue;
+    --poses;
     ++errors.poses;
-    if (found.box) {
-      errors.add(*found.box, *scene.log);
+    if (found->box) {
+      errors.add(*found->box, *scene.log);
     } else {
-      ++errors.refused[std::string(toString(found.fault))];
+      ++errors.refused[std::string(toString(found->fault))];
     }
   }
-  return errors;
 }
 
-/// How many empty grapples with seeds [first, last) are taken for a load.
-inline int falseLoads(unsigned first, unsigned last) {
+/// How many of `poses` empty grapples, from seed `first` on, are taken for a load.
+inline int falseLoads(unsigned first, int poses) {
   int count = 0;
-  for (unsigned seed = first; seed < last; ++seed) {
-    if (!detectIn(emptyGrapple(seed), seed).box) continue;
+  for (unsigned seed = first; poses > 0; ++seed) {
+    const auto found = detectIn(emptyGrapple(seed), seed);
+    if (!found) continue;
+    --poses;
+    if (!found->box) continue;
     ++count;
     qInfo("empty grapple %u is taken for a load", seed);
   }

@@ -237,15 +237,20 @@ inline Cloud cloudOf(const LoadScene& scene, unsigned seed) {
 }
 
 /// What a tracker of the grapple would give: the cloud's point at, or some pixels beside, its
-/// middle.
+/// middle. Absent where something hides the grapple: there is nothing to follow.
 inline std::optional<Eigen::Vector3f> toolPointOf(const LoadScene& scene, const Cloud& cloud,
                                                   unsigned seed) {
   Random random(seed + 2'000'000);
   const PinholeCamera camera;
   const Vector3d p = scene.grapple / scene.grapple.z() * scene.focal;
   const double jitter = 0.05 / scene.grapple.z() * scene.focal;
-  return toolPointAt(cloud, {static_cast<int>(p.x() + camera.cx() + random(-jitter, jitter)),
-                             static_cast<int>(p.y() + camera.cy() + random(-jitter, jitter))});
+  const auto point =
+      toolPointAt(cloud, {static_cast<int>(p.x() + camera.cx() + random(-jitter, jitter)),
+                          static_cast<int>(p.y() + camera.cy() + random(-jitter, jitter))});
+  const double sigma = scene.depthNoise() * scene.grapple.z() * scene.grapple.z();
+  const double farthest = 0.5 + 3.0 * sigma;
+  if (!point || (point->cast<double>() - scene.grapple).norm() > farthest) return std::nullopt;
+  return point;
 }
 
 }  // namespace boomwatch::load_scene

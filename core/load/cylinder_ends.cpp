@@ -40,9 +40,49 @@ SliceKind kindOf(const Slice& slice, double noise, double allowed) {
                                                                        : SliceKind::On;
 }
 
+constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
+
+/// The cells that may lie on the inner part, whatever their depth.
+std::vector<int> cellsAlong(const DepthPatch& patch, const CylinderFrame& frame,
+                            const ViewedCylinder& cylinder, const CylinderOutline& outline) {
+  std::vector<int> cells;
+  for (int cell = 0; cell < patch.side * patch.side; ++cell) {
+    const auto k = static_cast<std::size_t>(cell);
+    if (patch.begin[k] == patch.begin[k + 1]) continue;
+    const auto column = static_cast<float>(cell % patch.side);
+    const auto row = static_cast<float>(cell / patch.side);
+    const CylinderFrame::Seen seen = frame.look(DepthPatch::Sample{
+        static_cast<float>(patch.u0) + (column + 0.5F) * static_cast<float>(patch.cell),
+        static_cast<float>(patch.v0) + (row + 0.5F) * static_cast<float>(patch.cell), 1.0F});
+    const double half = (outline.edge(seen.u, true) - outline.edge(seen.u, false)) / 2.0;
+    if (std::abs(seen.v - cylinder.axisV(seen.u)) < inner * half + 2.0 * patch.cell) {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
+           const ViewedCylinder& cylinder, const CylinderOutline& outline) {
+  const double place = (seen.u - cutting.begin) / cutting.width;
+  if (!(place >= 0.0 && place < static_cast<double>(cutting.slices.size()))) return;
+  const double half = (outline.edge(seen.u, true) - outline.edge(seen.u, false)) / 2.0;
+  if (std::abs(seen.v - cylinder.axisV(seen.u)) > inner * half) return;
+  Slice& slice = cutting.slices[static_cast<std::size_t>(place)];
+  const double expected = outline.q(seen.u, seen.v), off = seen.q - expected;
+  const double gate = 3.5 * noise + roughness * expected * expected;
+  if (off > gate) {
+    ++slice.before;
+  } else if (off < -gate) {
+    ++slice.behind;
+  } else {
+    ++slice.on;
+    slice.sum += off;
+  }
+}
+
 Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCylinder& cylinder,
            const Vector3d& tool, double toolRadius) {
-  constexpr double inner = 0.6;  ///< of the half width; at the edge depth says little
   const CylinderOutline outline(cylinder);
   Slices cutting;
   cutting.width = std::max(2.0 * patch.pitch, patch.cell / 3.0);
@@ -55,22 +95,10 @@ Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCyli
     const Vector3d p = Vector3d(1.0, u, cylinder.axisV(u)) / q;
     cutting.slices[i].inTool = (p - tool).norm() < toolRadius;
   }
-  for (const DepthPatch::Sample& sample : patch.samples) {
-    const CylinderFrame::Seen seen = frame.look(sample);
-    const double place = (seen.u - cutting.begin) / cutting.width;
-    if (!(place >= 0.0 && place < static_cast<double>(cutting.slices.size()))) continue;
-    const double half = (outline.edge(seen.u, true) - outline.edge(seen.u, false)) / 2.0;
-    if (std::abs(seen.v - cylinder.axisV(seen.u)) > inner * half) continue;
-    Slice& slice = cutting.slices[static_cast<std::size_t>(place)];
-    const double expected = outline.q(seen.u, seen.v), off = seen.q - expected;
-    const double gate = 3.5 * patch.noise + roughness * expected * expected;
-    if (off > gate) {
-      ++slice.before;
-    } else if (off < -gate) {
-      ++slice.behind;
-    } else {
-      ++slice.on;
-      slice.sum += off;
+  for (const int cell : cellsAlong(patch, frame, cylinder, outline)) {
+    const auto k = static_cast<std::size_t>(cell);
+    for (std::size_t i = patch.begin[k]; i < patch.begin[k + 1]; ++i) {
+      addTo(cutting, frame.look(patch.samples[i]), patch.noise, cylinder, outline);
     }
   }
   return cutting;

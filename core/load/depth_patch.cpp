@@ -117,6 +117,7 @@ DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, d
   const double perCell = density(cloud, patch);
   const int step = std::clamp(static_cast<int>(std::sqrt(perCell / samplesPerCell)), 1, 16);
   std::vector<Placed> placed;
+  placed.reserve(cloud.size() / static_cast<std::size_t>(step * step) / 2 + 1);
   forPoints(cloud, step, [&](const Vector3f& p) {
     const float q = 1.0F / p.z(), u = p.x() * q, v = p.y() * q;
     const int index = patch.indexOf(u, v);

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <random>
+
+#include "load/depth_plane.h"
 
 namespace boomwatch {
 namespace {
@@ -105,65 +105,6 @@ class Growth {
   const Bounds& m_bounds;
   std::vector<char> m_free;
 };
-
-/// q = n . (u, v, 1): a plane that does not go through the camera, 1/|n| metres away.
-struct Plane {
-  Vector3d n;
-  double residual(const DepthPatch& patch, int cell) const {
-    const Vector3d direction(patch.u0 + (cell % patch.side + 0.5) * patch.cell,
-                             patch.v0 + (cell / patch.side + 0.5) * patch.cell, 1.0);
-    return std::abs(patch.q[static_cast<std::size_t>(cell)] - n.dot(direction));
-  }
-  /// Within `thickness` metres of it, or its noise.
-  bool holds(const DepthPatch& patch, int cell, double thickness) const {
-    const auto i = static_cast<std::size_t>(cell);
-    return residual(patch, cell) <= thickness * n.norm() * patch.q[i] + sigmas * patch.sigma[i];
-  }
-};
-
-std::optional<Plane> planeThrough(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d normal = (b - a).cross(c - a);
-  const double distance = normal.dot(a);
-  if (normal.norm() < 1e-9 || std::abs(distance) < 1e-6 * normal.norm()) return std::nullopt;
-  return Plane{normal / distance};
-}
-
-/// Least squares in q over the cells that `plane` holds.
-Plane refined(const Plane& plane, const DepthPatch& patch, const std::vector<int>& cells,
-              double thickness) {
-  Eigen::Matrix3d left = Eigen::Matrix3d::Identity() * 1e-9;
-  Vector3d right = Vector3d::Zero();
-  for (const int cell : cells) {
-    if (!plane.holds(patch, cell, thickness)) continue;
-    const Vector3d direction = patch.point(cell) * patch.q[static_cast<std::size_t>(cell)];
-    left += direction * direction.transpose();
-    right += direction * static_cast<double>(patch.q[static_cast<std::size_t>(cell)]);
-  }
-  return {left.ldlt().solve(right)};
-}
-
-std::optional<Plane> dominantPlane(const DepthPatch& patch, const std::vector<int>& cells,
-                                   double thickness) {
-  constexpr int hypotheses = 80;
-  constexpr std::size_t looked = 400;
-  std::minstd_rand random(1);
-  std::uniform_int_distribution<std::size_t> pick(0, cells.size() - 1);
-  std::vector<int> sample(std::min(looked, cells.size()));
-  for (int& cell : sample) cell = cells[pick(random)];
-  std::optional<Plane> best;
-  std::ptrdiff_t most = 0;
-  for (int k = 0; k < hypotheses; ++k) {
-    const auto plane =
-        planeThrough(patch.point(cells[pick(random)]), patch.point(cells[pick(random)]),
-                     patch.point(cells[pick(random)]));
-    if (!plane) continue;
-    const auto held = std::count_if(sample.begin(), sample.end(),
-                                    [&](int cell) { return plane->holds(patch, cell, thickness); });
-    if (held > most) most = held, best = plane;
-  }
-  if (!best) return std::nullopt;
-  return refined(refined(*best, patch, cells, thickness), patch, cells, thickness);
-}
 
 /// Whether the plane's cells go on to the limit of reach on more than one side, as a ground does
 /// and a load or a boom does not.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "load/axis_search.h"
+#include "load/box_fit.h"
 #include "load/cylinder_fit.h"
 
 namespace boomwatch {
@@ -82,7 +83,14 @@ LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double
   if (patch.empty()) return LoadDetection::refused(LoadFault::NothingAtTool);
   const LoadBody body = growBody(patch, tool, {reach, parameters.toolSize / 2.0, bounds});
   if (body.fault != LoadFault::None) return LoadDetection::refused(body.fault);
-  return detectLog(patch, body, bounds, parameters);
+  LoadDetection found = LoadDetection::refused(LoadFault::NoBody);
+  if (parameters.shape != LoadShape::Box) found = detectLog(patch, body, bounds, parameters);
+  const bool none = found.fault == LoadFault::NoBody || found.fault == LoadFault::PoorFit;
+  if (parameters.shape == LoadShape::Box || (parameters.shape == LoadShape::Auto && none)) {
+    const LoadDetection box = fitBox(patch, body, reach, parameters);
+    found = box.box ? judged(*box.box, bounds, parameters.maxSize) : box;
+  }
+  return found;
 }
 
 }  // namespace boomwatch

@@ -29,10 +29,16 @@ QString faultOf(const LoadDetection& detection) {
   return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// The first seed from `seed` whose log is found.
-unsigned findable(unsigned seed) {
-  while (!load_scene::detectIn(load_scene::logInGrapple(seed), seed).box) ++seed;
-  return seed;
+/// The first log that is found.
+unsigned findable() {
+  static const unsigned first = [] {
+    unsigned seed = 0;
+    for (;; ++seed) {
+      const auto found = load_scene::detectIn(load_scene::logInGrapple(seed), seed);
+      if (found && found->box) return seed;
+    }
+  }();
+  return first;
 }
 
 }  // namespace
@@ -42,49 +48,51 @@ class TestLoadDetector : public QObject {
  private slots:
   // test_load_poses_slow has the full thousand.
   void logsAreFoundWhereTheyAre() {
-    const auto errors = load_scene::errorsOf(1000, 1040);
+    load_scene::Errors errors;
+    load_scene::addPoses(errors, 1000, 20);
     qInfo("%s", qPrintable(errors.text()));
-    QVERIFY(errors.found() >= 24);
+    QVERIFY(errors.found() >= 12);
     QVERIFY(load_scene::quantile(errors.axis, 0.5) < 3.0);
     QVERIFY(load_scene::quantile(errors.centre, 0.5) < 0.05);
     QVERIFY(load_scene::quantile(errors.radius, 0.5) < 0.10);
     QVERIFY(load_scene::quantile(errors.length, 0.5) < 0.10);
   }
 
-  void anEmptyGrappleIsNoLoad() { QVERIFY(load_scene::falseLoads(1000, 1040) <= 1); }
+  void anEmptyGrappleIsNoLoad() { QVERIFY(load_scene::falseLoads(1000, 20) <= 1); }
 
   void theSameFrameGivesTheSameBox() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     const auto first = load_scene::detectIn(scene, seed),
                second = load_scene::detectIn(scene, seed);
-    QCOMPARE(first.box->centre, second.box->centre);
-    QCOMPARE(first.box->size, second.box->size);
+    QCOMPARE(first->box->centre, second->box->centre);
+    QCOMPARE(first->box->size, second->box->size);
   }
 
   void lockedSizesAreTheBoxs() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     LoadParameters locked;
     locked.dimensions = LoadDimensions::Locked;
     locked.sizeX = scene.log->length, locked.sizeY = locked.sizeZ = 2.0 * scene.log->radius;
-    const auto found = load_scene::detectIn(scene, seed, locked);
-    QVERIFY(found.box);
+    const auto detection = load_scene::detectIn(scene, seed, locked);
+    QVERIFY(detection && detection->box);
+    const LoadDetection& found = *detection;
     QCOMPARE(found.box->size, Eigen::Vector3d(locked.sizeX, locked.sizeY, locked.sizeZ));
     QVERIFY((found.box->centre - scene.log->centre).norm() < 0.1);
   }
 
   void whatIsLargerThanAllowedIsRefused() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     LoadParameters small;
     small.maxSize = scene.log->length * 0.8;
     const auto found = load_scene::detectIn(scene, seed, small);
-    QVERIFY2(!found.box, qPrintable(faultOf(found)));
+    QVERIFY2(found && !found->box, qPrintable(faultOf(*found)));
   }
 
   void whatIsOutsideTheBoundsIsRefused() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     const Cloud cloud = load_scene::cloudOf(scene, seed);
     const auto tool = load_scene::toolPointOf(scene, cloud, seed);
@@ -106,7 +114,7 @@ class TestLoadDetector : public QObject {
   }
 
   void nothingUnderTheToolIsNoLoad() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     Cloud cloud = load_scene::cloudOf(scene, seed);
     const auto tool = load_scene::toolPointOf(scene, cloud, seed);
@@ -150,7 +158,7 @@ class TestLoadDetector : public QObject {
   }
 
   void aToolPointBesideTheCloudIsRefused() {
-    const unsigned seed = findable(0);
+    const unsigned seed = findable();
     const auto scene = load_scene::logInGrapple(seed);
     const Cloud cloud = load_scene::cloudOf(scene, seed);
     const Vector3f beside = (scene.log->centre * 0.5).cast<float>();
