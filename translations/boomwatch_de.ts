@@ -1360,6 +1360,10 @@ Rechtsklick oder Escape: vergessen.</translation>
         <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
         <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein.</translation>
     </message>
+    <message>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. That is corrected; better calibrate anew.</source>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px voneinander ab. Das ist korrigiert; besser neu kalibrieren.</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::MapView</name>
