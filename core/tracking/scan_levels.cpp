@@ -8,19 +8,32 @@ namespace {
 
 constexpr double shortestSide = 8.0;  // of a window, pixels of the picture
 
+/// The picture, halved as often as leaves it larger than `size`: from there, linear interpolation
+/// to `size` passes no pixel over. `halves` grows as needed.
+const cv::Mat& sourceFor(cv::Size size, std::vector<cv::Mat>& halves) {
+  std::size_t i = 0;
+  while (size.width * 2 <= halves[i].cols && size.height * 2 <= halves[i].rows) {
+    if (++i < halves.size()) continue;
+    cv::Mat half;
+    cv::resize(halves.back(), half, halves.back().size() / 2, 0.0, 0.0, cv::INTER_AREA);
+    halves.push_back(half);
+  }
+  return halves[i];
+}
+
 }  // namespace
 
-ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int range)
+ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int first, int last)
     : m_patch(patch) {
-  for (int exponent = -range; exponent <= range; ++exponent) {
-    const double scale = std::pow(step, exponent);
-    const cv::Size2d window(tool.width * scale, tool.height * scale);
+  std::vector<cv::Mat> halves = {grey};
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const cv::Size2d window = tool * std::pow(step, exponent);
     if (std::min(window.width, window.height) < shortestSide) continue;
     if (window.width > grey.cols || window.height > grey.rows) break;
     Level level;
     const cv::Size size(std::max(patch.width, cvRound(grey.cols * patch.width / window.width)),
                         std::max(patch.height, cvRound(grey.rows * patch.height / window.height)));
-    cv::resize(grey, level.image, size, 0.0, 0.0, cv::INTER_AREA);
+    cv::resize(sourceFor(size, halves), level.image, size, 0.0, 0.0, cv::INTER_LINEAR);
     cv::GaussianBlur(level.image, level.image, cv::Size(3, 3), 0.0);
     level.pixel = {static_cast<double>(grey.cols) / size.width,
                    static_cast<double>(grey.rows) / size.height};

@@ -19,8 +19,8 @@ class ScanLevels {
   static constexpr double step = 1.2;
 
   /// `tool`: its size in the picture at scale 1, pixels. `grey` is CV_8UC1. Levels run from
-  /// step^-range to step^range, as far as windows fit the picture and are not tiny.
-  ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int range);
+  /// step^first to step^last, as far as windows fit the picture and are not tiny.
+  ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int first, int last);
 
   struct Level {
     cv::Mat image;      ///< CV_8UC1, smoothed

@@ -1,177 +1,219 @@
 #include "tracking/tld_tracker.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
+#include <limits>
 
 #include "frame/error.h"
 #include "tracking/median_flow.h"
+#include "tracking/refine_box.h"
 #include "tracking/tool_patch.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr int scaleRange = 8;
-constexpr float trustThreshold = 0.7F;
-constexpr double farOverlap = 0.2;
+// Scales that are looked at, as powers of ScanLevels::step: those near the last, and all of them
+// when the tool has been away for a second.
+constexpr int allScales = 8;
+constexpr int nearScales = 5;
+constexpr int imagesAway = 25;
 
-double inside(const cv::Rect2d& box, cv::Size image) {
+// Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
+constexpr double largestResidual = 10.0;  // pixels
+// Below this the flow is not sure (blur, a jump) and the patches say where exactly the tool is.
+constexpr double sureFlow = 0.93;
+constexpr double refinedShare = 0.5;
+constexpr double smallestShareInside = 0.5;
+// A wall before the tool has less variance than any patch of it.
+constexpr double flatShare = 0.25;
+
+constexpr float trustedLikeness = 0.7F;
+constexpr float doubtedLikeness = 0.5F;
+constexpr int longestDoubt = 10;  // images
+// By how much the best of several places must look more like the tool than the second.
+constexpr float lead = 0.05F;
+constexpr double sameOverlap = 0.5;
+constexpr double mixOverlap = 0.7;
+constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
+
+double shareInside(const cv::Rect2d& box, cv::Size image) {
   return (box & cv::Rect2d(cv::Point2d(), cv::Size2d(image))).area() / box.area();
+}
+
+cv::Rect2d mixed(const cv::Rect2d& box, const cv::Rect2d& other) {
+  const auto mix = [](double a, double b) { return a + mixShare * (b - a); };
+  return {mix(box.x, other.x), mix(box.y, other.y), mix(box.width, other.width),
+          mix(box.height, other.height)};
+}
+
+/// The first of these if it is the only one or leads the others clearly.
+std::optional<Detection> clearBest(const std::vector<Detection>& detections) {
+  if (detections.empty()) return std::nullopt;
+  const bool clear = detections.size() == 1 ||
+                     detections[0].likeness.relative > detections[1].likeness.relative + lead;
+  return clear ? std::optional(detections.front()) : std::nullopt;
+}
+
+void requireUsable(const ToolModel& model) {
+  const cv::Size patch = model.patchSize();
+  const auto fits = [&](const cv::Mat& other) {
+    return other.type() == CV_8UC1 && other.size() == patch;
+  };
+  const bool usable =
+      !model.positives.empty() && model.positives.size() <= ToolModel::mostPositives &&
+      model.negatives.size() <= ToolModel::mostNegatives &&
+      model.leaves.size() == ToolModel::ferns * ToolModel::leavesPerFern &&
+      std::ranges::all_of(model.positives, fits) && std::ranges::all_of(model.negatives, fits);
+  if (usable) return;
+  throw Error("tool model", "it knows nothing of a tool", "Begin with a box, and save that model.");
 }
 
 }  // namespace
 
-ScanLevels TldTracker::levelsOf(const cv::Mat& grey) const {
-  return ScanLevels(grey, m_tool->toolSize(), m_tool->patchSize(), scaleRange);
-}
-
-void TldTracker::learnFerns(const cv::Mat& grey, const cv::Rect2d& box, int warps, double angle) {
-  const PatchCutter cutter(grey, box, m_tool->patchSize());
-  const auto within = [&](double limit) {
-    return limit * (2.0 * m_random() / static_cast<double>(std::mt19937::max()) - 1.0);
-  };
-  for (int i = 0; i < warps; ++i) {
-    const double turn = within(angle);
-    const double scale = 1.0 + within(0.1);
-    const double right = within(0.07);
-    const double down = within(0.07);
-    const cv::Mat patch = cutter.cut({turn, scale, {right, down}});
-    m_tool->ferns().learn(m_tool->ferns().codesOf(patch), true);
-  }
+void TldTracker::begin(ToolClassifier tool) {
+  m_tool.emplace(std::move(tool));
+  m_before.release();
+  m_found.reset();
+  m_trusted = false;
+  m_scale = 1.0;
+  m_imagesLost = std::numeric_limits<int>::max() / 2;
+  m_imagesDoubted = 0;
+  m_model.reset();
 }
 
 void TldTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   requireStart(image, box);
   const cv::Mat grey = greyOf(image);
-  ToolModel empty;
-  empty.size = box.size();
-  const cv::Mat patch = PatchCutter(grey, box, empty.patchSize()).cut();
-  if (varianceOf(patch) < 0.25) {
-    throw Error("tool box", "there is nothing in it that could be followed",
-                "Draw a box that encloses the tool.");
-  }
-  m_tool.emplace(empty);
-  m_random.seed(1);
-  m_tool->learnPositive(patch);
-  learnFerns(grey, box, 200, 10.0 * std::numbers::pi / 180.0);
-  m_last = grey.clone();
-  m_box = box;
-  m_likeness = {1.0F, 1.0F};
+  ToolLearning learning;
+  begin(learning.begin(grey, box));
+  m_learning = learning;
+  m_before = grey.clone();
+  m_found = Detection{box, {1.0F, 1.0F}};
   m_trusted = true;
-  const ScanLevels levels = levelsOf(grey);
-  for (int pass = 0; pass < 4; ++pass) {
-    for (const Candidate& candidate : findCandidates(levels, *m_tool)) {
-      if (overlap(candidate.box, box) >= farOverlap) continue;
-      const cv::Mat other = levels.patchOf(candidate.window);
-      m_tool->ferns().learn(m_tool->ferns().codesOf(other), false);
-      if (m_tool->likeness(other).relative > 0.5F) m_tool->learnNegative(other);
-    }
-  }
-  m_model.reset();
+  m_imagesLost = 0;
 }
 
 void TldTracker::start(const ToolModel& model) {
-  m_tool.emplace(model);
-  m_random.seed(1);
-  m_last.release();
-  m_box.reset();
-  m_likeness = {};
+  requireUsable(model);
+  begin(ToolClassifier(model));
+  m_learning = ToolLearning();
+}
+
+std::optional<Detection> TldTracker::follow(const cv::Mat& grey) const {
+  if (!m_found || m_before.size() != grey.size()) return std::nullopt;
+  const std::optional<MedianFlow> flow = medianFlow(m_before, grey, m_found->box);
+  if (!flow || flow->residual > largestResidual) return std::nullopt;
+  if (std::min(flow->box.width, flow->box.height) < smallestSide / 2.0) return std::nullopt;
+  if (shareInside(flow->box, grey.size()) < smallestShareInside) return std::nullopt;
+  const cv::Rect2d box =
+      flow->similarity < sureFlow ? refineBox(grey, flow->box, *m_tool, refinedShare) : flow->box;
+  const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
+  if (varianceOf(patch) < flatShare * m_tool->leastVariance()) return std::nullopt;
+  return Detection{box, m_tool->likeness(patch)};
+}
+
+ScanLevels TldTracker::levelsOf(const cv::Mat& grey) const {
+  const int range = m_imagesLost > imagesAway ? 2 * allScales : nearScales;
+  const int last = cvRound(std::log(m_scale) / std::log(ScanLevels::step));
+  return {grey, m_tool->toolSize(), m_tool->patchSize(), std::max(-allScales, last - range),
+          std::min(allScales, last + range)};
+}
+
+std::vector<Detection> TldTracker::detect(const cv::Mat& grey,
+                                          const std::vector<Candidate>& candidates) const {
+  std::vector<Detection> detections = clusterDetections(candidates);
+  for (Detection& detection : detections) {
+    detection.box = refineBox(grey, detection.box, *m_tool, 1.0);
+    const PatchCutter cutter(grey, detection.box, m_tool->patchSize());
+    detection.likeness = m_tool->likeness(cutter.cut());
+  }
+  std::ranges::stable_sort(detections, std::greater(),
+                           [](const Detection& detection) { return detection.likeness.relative; });
+  return detections;
+}
+
+void TldTracker::lose() {
+  m_found.reset();
   m_trusted = false;
-  m_model.reset();
+  m_imagesDoubted = 0;
 }
 
-std::optional<TldTracker::Followed> TldTracker::follow(const cv::Mat& grey) const {
-  if (!m_box || m_last.size() != grey.size()) return std::nullopt;
-  const std::optional<MedianFlow> step = medianFlow(m_last, grey, *m_box);
-  if (!step || step->residual > 10.0) return std::nullopt;
-  if (std::min(step->box.width, step->box.height) < 4.0) return std::nullopt;
-  if (inside(step->box, grey.size()) < 0.5) return std::nullopt;
-  const cv::Mat patch = PatchCutter(grey, step->box, m_tool->patchSize()).cut();
-  return Followed{step->box, m_tool->likeness(patch)};
+bool TldTracker::isDisputed(const std::vector<Detection>& detections) const {
+  return std::ranges::any_of(detections, [&](const Detection& detection) {
+    return overlap(detection.box, m_found->box) < sameOverlap;
+  });
 }
 
-void TldTracker::integrate(const std::optional<Followed>& followed,
+/// Section 5.4 of the paper: the flow's box, unless the detector is surer of another place.
+void TldTracker::integrate(const std::optional<Detection>& followed,
                            const std::vector<Detection>& detections) {
   if (!followed) {
-    m_trusted = false;
-    m_box.reset();
-    m_likeness = {};
-    if (detections.size() == 1) {
-      m_box = detections.front().box;
-      m_likeness = detections.front().likeness;
-    }
+    lose();
+    m_found = clearBest(detections);
     return;
   }
-  m_box = followed->box;
-  m_likeness = followed->likeness;
-  if (m_likeness.conservative > trustThreshold) m_trusted = true;
+  m_found = followed;
   std::vector<Detection> better;
-  for (const Detection& detection : detections) {
-    if (overlap(detection.box, *m_box) < 0.5 &&
-        detection.likeness.conservative > m_likeness.conservative) {
-      better.push_back(detection);
-    }
+  std::ranges::copy_if(detections, std::back_inserter(better), [&](const Detection& detection) {
+    return overlap(detection.box, followed->box) < sameOverlap &&
+           detection.likeness.relative > followed->likeness.relative &&
+           detection.likeness.conservative > followed->likeness.conservative;
+  });
+  if (const std::optional<Detection> best = clearBest(better)) {
+    lose();
+    m_found = best;
+    return;
   }
-  if (better.size() == 1) {
-    m_box = better.front().box;
-    m_likeness = better.front().likeness;
-    m_trusted = false;
+  if (followed->likeness.conservative > trustedLikeness) m_trusted = true;
+  m_imagesDoubted = followed->likeness.relative < doubtedLikeness ? m_imagesDoubted + 1 : 0;
+  if (m_imagesDoubted > longestDoubt) {
+    lose();
     return;
   }
   for (const Detection& detection : detections) {
-    if (overlap(detection.box, *m_box) < 0.7) continue;
-    const auto mix = [](double a, double b) { return (10.0 * a + 3.0 * b) / 13.0; };
-    m_box = cv::Rect2d(mix(m_box->x, detection.box.x), mix(m_box->y, detection.box.y),
-                       mix(m_box->width, detection.box.width),
-                       mix(m_box->height, detection.box.height));
+    if (overlap(detection.box, m_found->box) < mixOverlap) continue;
+    m_found->box = mixed(m_found->box, detection.box);
   }
 }
 
-void TldTracker::learn(const cv::Mat& grey, const std::vector<Candidate>& candidates) {
-  const cv::Mat patch = PatchCutter(grey, *m_box, m_tool->patchSize()).cut();
-  const Likeness likeness = m_tool->likeness(patch);
-  if (likeness.relative < 0.5F || varianceOf(patch) < m_tool->leastVariance()) {
+bool TldTracker::learn(const cv::Mat& grey, const ScanLevels& levels,
+                       const std::vector<Candidate>& candidates) {
+  if (!ToolLearning::canLearn(grey, m_found->box, *m_tool)) {
     m_trusted = false;
-    return;
+    return false;
   }
-  learnFerns(grey, *m_box, 20, 5.0 * std::numbers::pi / 180.0);
-  if (likeness.relative < 0.65F) m_tool->learnPositive(patch);
-  const ScanLevels levels = levelsOf(grey);
-  for (const Candidate& candidate : candidates) {
-    if (overlap(candidate.box, *m_box) >= farOverlap) continue;
-    const cv::Mat other = levels.patchOf(candidate.window);
-    m_tool->ferns().learn(m_tool->ferns().codesOf(other), false);
-    if (m_tool->likeness(other).relative > 0.5F) m_tool->learnNegative(other);
-  }
+  m_learning.learn(grey, m_found->box, levels, candidates, *m_tool);
   m_model.reset();
+  return true;
 }
 
 Track TldTracker::track(const cv::Mat& image) {
   if (!m_tool) return Track::idle();
-  if (!isTrackable(image)) {
-    m_box.reset();
-    m_last.release();
-    return Track::lost();
+  const bool wasSeen = m_found.has_value();
+  bool learnt = false;
+  if (isTrackable(image)) {
+    const cv::Mat grey = greyOf(image);
+    const ScanLevels levels = levelsOf(grey);
+    const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
+    const std::vector<Detection> detections = detect(grey, candidates);
+    integrate(follow(grey), detections);
+    if (m_learns && m_trusted && !isDisputed(detections)) learnt = learn(grey, levels, candidates);
+    m_before = grey.data == image.data ? grey.clone() : grey;
+  } else {
+    lose();
+    m_before.release();
   }
-  const cv::Mat grey = greyOf(image);
-  const bool wasSeen = m_box.has_value();
-  const std::optional<Followed> followed = follow(grey);
-  const std::vector<Candidate> candidates = findCandidates(levelsOf(grey), *m_tool);
-  integrate(followed, clusterDetections(candidates));
-  const bool learning = m_learning && m_box && m_trusted;
-  if (learning) learn(grey, candidates);
-  m_last = grey.data == image.data ? grey.clone() : grey;
-  return result(learning, wasSeen);
-}
-
-Track TldTracker::result(bool learnt, bool wasSeen) const {
-  Track track;
-  track.state = !m_box ? TrackState::Lost : wasSeen ? TrackState::Tracked : TrackState::Refound;
-  track.box = m_box;
-  track.confidence = m_box ? m_likeness.conservative : 0.0;
-  track.learning = !m_learning ? LearningState::Off
-                   : learnt    ? LearningState::On
-                               : LearningState::Suspended;
-  return track;
+  const LearningState learning = !m_learns ? LearningState::Off
+                                 : learnt  ? LearningState::On
+                                           : LearningState::Suspended;
+  if (!m_found) {
+    m_imagesLost = std::min(m_imagesLost, imagesAway) + 1;
+    return {TrackState::Lost, std::nullopt, 0.0, learning};
+  }
+  m_imagesLost = 0;
+  m_scale = std::sqrt(m_found->box.area() / m_tool->toolSize().area());
+  return {wasSeen ? TrackState::Tracked : TrackState::Refound, m_found->box,
+          m_found->likeness.conservative, learning};
 }
 
 std::shared_ptr<const ToolModel> TldTracker::model() const {

@@ -1,46 +1,55 @@
 #pragma once
 
 #include <optional>
-#include <random>
 #include <vector>
 
+#include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
 #include "tracking/tool_detector.h"
+#include "tracking/tool_learning.h"
 #include "tracking/tracker.h"
 
 namespace boomwatch {
 
-/// Tracking-Learning-Detection (Kalal, Mikolajczyk, Matas, 2012): median flow follows the tool from
-/// image to image, a detector looks for it in the whole of each image, and what both say teaches
-/// the detector.
+/// Tracking-Learning-Detection (Kalal, Mikolajczyk, Matas, PAMI 2012): median flow follows the tool
+/// from image to image, a detector looks for it in the whole of each image, and what both agree on
+/// teaches the detector.
+///
+/// The guard against "explosion", a model that fills with what is not the tool: an image teaches
+/// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
+/// operator's box, ends when the tool is lost, jumped to or no longer recognised, and returns when
+/// the followed box looks like the older, surer half of the model.
 class TldTracker : public Tracker {
  public:
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   void start(const ToolModel& model) override;
   Track track(const cv::Mat& image) override;
-  void setLearning(bool on) override { m_learning = on; }
+  void setLearning(bool on) override { m_learns = on; }
   std::shared_ptr<const ToolModel> model() const override;
 
  private:
-  struct Followed {
-    cv::Rect2d box;
-    Likeness likeness;
-  };
-  std::optional<Followed> follow(const cv::Mat& grey) const;
+  void begin(ToolClassifier tool);
+  std::optional<Detection> follow(const cv::Mat& grey) const;
   ScanLevels levelsOf(const cv::Mat& grey) const;
-  void integrate(const std::optional<Followed>& followed, const std::vector<Detection>& detections);
-  Track result(bool learnt, bool wasSeen) const;
-  void learn(const cv::Mat& grey, const std::vector<Candidate>& candidates);
-  void learnFerns(const cv::Mat& grey, const cv::Rect2d& box, int warps, double angle);
+  std::vector<Detection> detect(const cv::Mat& grey,
+                                const std::vector<Candidate>& candidates) const;
+  void integrate(const std::optional<Detection>& followed,
+                 const std::vector<Detection>& detections);
+  bool isDisputed(const std::vector<Detection>& detections) const;
+  bool learn(const cv::Mat& grey, const ScanLevels& levels,
+             const std::vector<Candidate>& candidates);
+  void lose();
 
   std::optional<ToolClassifier> m_tool;
-  cv::Mat m_last;  ///< grey, the image before; empty when it does not lead to the next
-  std::optional<cv::Rect2d> m_box;
-  Likeness m_likeness;
-  bool m_trusted = false;  ///< the box has been the tool's without a break since it was sure
-  bool m_learning = true;
-  std::mt19937 m_random;
-  mutable std::shared_ptr<const ToolModel> m_model;  ///< null after the tool learnt
+  ToolLearning m_learning;
+  bool m_learns = true;
+  cv::Mat m_before;                  ///< grey, the image before; empty when nothing leads from it
+  std::optional<Detection> m_found;  ///< where the tool is; absent while it is lost
+  bool m_trusted = false;            ///< see the class
+  double m_scale = 1.0;              ///< of the tool when it was last seen, against the model's
+  int m_imagesLost = 0;              ///< since it was last seen
+  int m_imagesDoubted = 0;           ///< since the followed box last looked like the tool
+  mutable std::shared_ptr<const ToolModel> m_model;  ///< null after the tool was learnt from
 };
 
 }  // namespace boomwatch

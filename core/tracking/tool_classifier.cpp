@@ -5,6 +5,11 @@
 #include "tracking/tool_patch.h"
 
 namespace boomwatch {
+namespace {
+
+constexpr double olderHalf = 0.5;
+
+}  // namespace
 
 ToolClassifier::ToolClassifier(const ToolModel& model)
     : m_size(model.size),
@@ -27,7 +32,11 @@ Likeness ToolClassifier::likeness(const cv::Mat& patch) const {
     const float distance = 1.0F - tool;
     return distance + other > 0.0F ? other / (distance + other) : 0.0F;
   };
-  return {against(m_positives.likeness(pixels)), against(m_positives.likeness(pixels, 0.5))};
+  return {against(m_positives.likeness(pixels)), against(m_positives.likeness(pixels, olderHalf))};
+}
+
+float ToolClassifier::anchorLikeness(const cv::Mat& patch) const {
+  return m_positives.likeness(normalised(patch), olderHalf);
 }
 
 void ToolClassifier::learnPositive(const cv::Mat& patch) {

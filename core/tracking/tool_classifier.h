@@ -27,6 +27,8 @@ class ToolClassifier {
   /// Patches with less variance than this are not the tool.
   double leastVariance() const { return m_leastVariance; }
   Likeness likeness(const cv::Mat& patch) const;
+  /// To the older half of the tool's patches alone, whatever else there is: 0..1.
+  float anchorLikeness(const cv::Mat& patch) const;
 
   FernEnsemble& ferns() { return m_ferns; }
   void learnPositive(const cv::Mat& patch);

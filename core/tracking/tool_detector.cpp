@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t mostCandidates = 100;
 constexpr double strideShare = 0.1;  // of the window, as in the paper
+constexpr std::size_t mostDetections = 5;
 constexpr double sameOverlap = 0.5;
 
 int strideOf(int side) { return std::max(1, cvRound(strideShare * side)); }
@@ -70,7 +71,7 @@ std::vector<Detection> clusterDetections(const std::vector<Candidate>& candidate
   std::ranges::stable_sort(left, std::greater(),
                            [](const Candidate& candidate) { return candidate.likeness.relative; });
   std::vector<Detection> detections;
-  while (!left.empty()) {
+  while (!left.empty() && detections.size() < mostDetections) {
     const Candidate best = left.front();
     cv::Rect2d sum;
     double weights = 0.0;

@@ -30,13 +30,12 @@ inline constexpr float toolThreshold = 0.65F;
 /// Intersection over union.
 double overlap(const cv::Rect2d& one, const cv::Rect2d& other);
 
-/// Visits every scanning window that has the variance of the tool: `work(window, first pixel,
-/// level)`.
 /// The cascade of TLD's detector over all windows: variance, ferns, patches. Returns what passed
 /// the ferns, most likely first, at most 100.
 std::vector<Candidate> findCandidates(const ScanLevels& levels, const ToolClassifier& tool);
 
-/// The candidates that are the tool, those that overlap by half as one.
+/// The candidates that are the tool, those that overlap by half as one: most alike first, at most
+/// five.
 std::vector<Detection> clusterDetections(const std::vector<Candidate>& candidates);
 
 }  // namespace boomwatch

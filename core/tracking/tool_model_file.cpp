@@ -1,8 +1,10 @@
 // The file of a ToolModel, all numbers little-endian:
 //   "BWTOOL\r\n" (the line end shows a transfer as text), u32 version, f64 width, f64 height,
 //   u32 patch width, u32 patch height, u32 positives, u32 negatives, u32 leaves;
-//   positives, negatives: pixels row by row; leaves: u16 positive, u16 negative;
+//   positives, negatives: pixels row by row;
+//   leaves, those that saw anything: u32 index, rising, u16 positive, u16 negative;
 //   u64 FNV-1a hash of all before.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -20,6 +22,8 @@ constexpr std::uint32_t version = 1;
 constexpr std::size_t hashBytes = 8;
 constexpr double largestTool = 1e5;
 constexpr std::size_t largestFile = 4 << 20;
+constexpr std::size_t allLeaves = ToolModel::ferns * ToolModel::leavesPerFern;
+constexpr std::size_t leafBytes = 4 + 2 + 2;
 
 std::uint64_t hashOf(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ULL;
@@ -108,13 +112,34 @@ bool isPossible(const Header& header) {
   ToolModel model;
   model.size = header.size;
   return header.patch == model.patchSize() && header.positives <= ToolModel::mostPositives &&
-         header.negatives <= ToolModel::mostNegatives &&
-         header.leaves == ToolModel::ferns * ToolModel::leavesPerFern;
+         header.negatives <= ToolModel::mostNegatives && header.leaves <= allLeaves;
 }
 
 std::size_t bytesBehind(const Header& header) {
   return (header.positives + header.negatives) * static_cast<std::size_t>(header.patch.area()) +
-         header.leaves * 2 * sizeof(std::uint16_t);
+         header.leaves * leafBytes;
+}
+
+void putLeaves(std::string& out, const std::vector<FernLeaf>& leaves) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (leaves[i] == FernLeaf()) continue;
+    put(out, static_cast<std::uint32_t>(i));
+    put(out, leaves[i].positive);
+    put(out, leaves[i].negative);
+  }
+}
+
+/// False when they are not in order.
+bool takeLeaves(Bytes& bytes, std::size_t count, std::vector<FernLeaf>& leaves) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t index = bytes.take<std::uint32_t>();
+    if (index < next || index >= leaves.size()) return false;
+    leaves[index].positive = bytes.take<std::uint16_t>();
+    leaves[index].negative = bytes.take<std::uint16_t>();
+    next = index + 1;
+  }
+  return true;
 }
 
 }  // namespace
@@ -128,13 +153,11 @@ void saveToolModel(const ToolModel& model, const std::string& file) {
   put(bytes, static_cast<std::uint32_t>(model.patchSize().height));
   put(bytes, static_cast<std::uint32_t>(model.positives.size()));
   put(bytes, static_cast<std::uint32_t>(model.negatives.size()));
-  put(bytes, static_cast<std::uint32_t>(model.leaves.size()));
+  const auto unused = std::ranges::count(model.leaves, FernLeaf());
+  put(bytes, static_cast<std::uint32_t>(model.leaves.size() - static_cast<std::size_t>(unused)));
   put(bytes, model.positives);
   put(bytes, model.negatives);
-  for (const FernLeaf& leaf : model.leaves) {
-    put(bytes, leaf.positive);
-    put(bytes, leaf.negative);
-  }
+  putLeaves(bytes, model.leaves);
   put(bytes, hashOf(bytes));
   if (replaceFile(file, bytes)) return;
   throw Error(file, "the tool model cannot be written",
@@ -165,11 +188,7 @@ ToolModel loadToolModel(const std::string& file) {
   model.size = header.size;
   model.positives = bytes.takePatches(header.positives, header.patch);
   model.negatives = bytes.takePatches(header.negatives, header.patch);
-  model.leaves.resize(header.leaves);
-  for (FernLeaf& leaf : model.leaves) {
-    leaf.positive = bytes.take<std::uint16_t>();
-    leaf.negative = bytes.take<std::uint16_t>();
-  }
+  if (!takeLeaves(bytes, header.leaves, model.leaves)) throw damaged;
   return model;
 }
 
