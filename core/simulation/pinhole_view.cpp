@@ -4,17 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "simulation/yard/dice.h"
+
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Mixes the bits of a number (the finaliser of MurmurHash3).
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdULL;
-  x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53ULL;
-  return x ^ (x >> 33);
-}
 
 /// -1..1, the same all over each 5 cm cube of space: texture that stays on the surface.
 double textureAt(const Vector3d& p) {

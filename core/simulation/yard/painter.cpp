@@ -102,7 +102,6 @@ void paint(const YardEye& eye, const Parts& parts, const YardShadows& shadows,
            YardPicture& picture) {
   cv::Mat owner(eye.size(), CV_16SC1, cv::Scalar(nobody));
   castParts(eye, parts, picture.depth, owner);
-  picture.sun = picture.sun.clone();  // that of a picture's clone is shared
   inBands(owner.rows, [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       for (int u = 0; u < owner.cols; ++u) {

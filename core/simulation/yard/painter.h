@@ -13,7 +13,7 @@ struct YardPicture {
   cv::Mat kind;    ///< CV_8UC1, a YardKind
   cv::Mat sun;     ///< CV_8UC1, 255 times the share of the light there that comes from the sun
 
-  YardPicture clone() const { return {colour.clone(), depth.clone(), kind.clone(), sun}; }
+  YardPicture clone() const { return {colour.clone(), depth.clone(), kind.clone(), sun.clone()}; }
 };
 
 /// Sky and ground. Several threads; pure.
