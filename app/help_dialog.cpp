@@ -36,6 +36,17 @@ QString unknownText() {
       "so.</p>");
 }
 
+QString trackersText() {
+  return HelpDialog::tr(
+      "<h3>Which tracker</h3>"
+      "<ul><li><b>tld</b> is the one to begin with: it finds the tool again after it was hidden, "
+      "learns new views of it, and what it learnt can be saved.</li>"
+      "<li><b>cmt</b> where the tool has much texture, turns in the picture or is partly covered; "
+      "not where it is small, blurred or smooth.</li>"
+      "<li><b>csrt</b> where the computer has time to spare and the tool stays in sight.</li>"
+      "<li><b>klt</b> for a short while and with little time: once lost, it stays lost.</li></ul>");
+}
+
 QString keysText() {
   return HelpDialog::tr(
       "<h3>Keys</h3>"
@@ -59,7 +70,7 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent) {
   constexpr QSize size(640, 620);
   setWindowTitle(tr("Boomwatch: help"));
   auto* page = new QTextBrowser;
-  page->setHtml(shownText() + unknownText() + keysText());
+  page->setHtml(shownText() + unknownText() + trackersText() + keysText());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   auto* column = new QVBoxLayout(this);
   column->addWidget(page);

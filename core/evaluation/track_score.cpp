@@ -87,7 +87,8 @@ TrackScore scoreOf(std::span<const TrackedFrame> frames,
   score.frames = truth.size();
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const auto& box = frames[i].track.box;
-    if (frames[i].seconds > 0.0) rates.push_back(1.0 / frames[i].seconds);
+    // What gave up for good and does nothing is not fast.
+    if (box && frames[i].seconds > 0.0) rates.push_back(1.0 / frames[i].seconds);
     if (box && hasConfidence) confidences.push_back(frames[i].track.confidence);
     score.lost += !box;
     if (!truth[i]) {

@@ -26,7 +26,7 @@ struct TrackScore {
   std::optional<double> accuracy;          ///< share with a box, of those in which it can be seen
   std::optional<double> confidenceMean;    ///< over the frames with a box
   std::optional<double> confidenceSpread;  ///< standard deviation of the same
-  std::optional<double> fps;               ///< mean of 1/t
+  std::optional<double> fps;               ///< mean of 1/t over the frames with a box
 
   std::optional<double> successArea;  ///< AUC: mean share of overlaps above 0, 0.05, ... 1
   std::optional<double> precision;    ///< share of centres at most 20 pixels off

@@ -16,6 +16,9 @@ constexpr std::size_t fewestModelPoints = 6;
 // Of the target's points must agree. Published is 0.1, of fewer points than are taken here.
 constexpr double smallestShare = 0.05;
 constexpr std::size_t fewestAgreeing = 5;
+// Of the points seen in the image before must be seen in this: on what has taken the target's
+// place, Lucas-Kanade carries some of them on.
+constexpr double smallestSurvival = 0.25;
 // A match must be this much nearer than the next, as published (descriptors of 512 bits).
 constexpr double matchRatio = 0.8;
 constexpr int largestDistance = 128;
@@ -26,7 +29,6 @@ constexpr double largestReach = 20.0;  // pixels
 constexpr double reachShare = 0.3;     // of the box
 constexpr double largestReturn = 3.0;  // forward-backward error, pixels
 const cv::Size window(15, 15);
-constexpr double smallestSimilarity = 0.3;  // NCC of a point's surroundings, image to image
 constexpr double largestScale = 8.0;
 
 /// In the ellipse that fills the box: what lies in the box's corners is seldom the target.
@@ -76,8 +78,7 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   m_box = box;
 }
 
-/// Adaptive correspondences: where the points of the image before have gone. What looks another way
-/// than a moment ago is not the target's point any more.
+/// Adaptive correspondences: where the points of the image before have gone.
 std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   if (m_active.empty() || m_before.size() != grey.size()) return {};
   std::vector<cv::Point2f> before;
@@ -85,8 +86,6 @@ std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   std::vector<KeypointPair> points;
   for (const FollowedPoint& point : followPoints(m_before, grey, before, window)) {
     if (point.error > largestReturn) continue;
-    const double alike = patchSimilarity(m_before, before[point.index], grey, point.position);
-    if (alike < smallestSimilarity) continue;
     const KeypointPair& active = m_active[point.index];
     points.push_back({active.id, active.model, cv::Point2d(point.position)});
   }
@@ -157,8 +156,9 @@ cv::Rect2d CmtTracker::boxAt(const KeypointPose& pose) const {
 }
 
 bool CmtTracker::isCredible(const KeypointConsensus& consensus, cv::Size image) const {
-  const auto needed =
-      std::max<double>(fewestAgreeing, smallestShare * static_cast<double>(m_model.size()));
+  const double needed = std::max({static_cast<double>(fewestAgreeing),
+                                  smallestShare * static_cast<double>(m_model.size()),
+                                  smallestSurvival * static_cast<double>(m_active.size())});
   const cv::Rect2d box = boxAt(consensus.pose);
   const bool sized =
       consensus.pose.scale > 1.0 / largestScale && consensus.pose.scale < largestScale;

@@ -156,6 +156,7 @@ void TestEvaluation::interruptedItSaysWhatIsWhole() {
                 {"--evaluate", "tracking", path("all"), "--tracker", "klt", "--tracker",
                  "opencv_csrt", "--output", path("out")});
   QByteArray errors;
+  process.setReadChannel(QProcess::StandardError);
   while (!errors.contains("(b), frame 50") && process.waitForReadyRead(120000)) {
     errors += process.readAllStandardError();
   }

@@ -82,7 +82,7 @@ void TestTrackScore::table5() {
   const double variance = ((0.9 - mean) * (0.9 - mean) + 6 * (0.5 - mean) * (0.5 - mean)) / 7.0;
   QCOMPARE(*score.confidenceSpread, std::sqrt(variance));
   // The mean of 1/t, not one by the mean of t.
-  QCOMPARE(*score.fps, (20.0 + 9 * 10.0) / 10.0);
+  QCOMPARE(*score.fps, (20.0 + 6 * 10.0) / 7.0);
   QVERIFY(!scoreOf(frames, truth, false).confidenceMean);
 }
 
