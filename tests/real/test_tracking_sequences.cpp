@@ -42,7 +42,7 @@ void TestTrackingSequences::allAreRead() {
   REQUIRE_DATA(folder);
   const TrackingSequence sequence = openTrackingSequence(folder.toStdString());
   QCOMPARE(sequence.truth.size(), static_cast<std::size_t>(frames));
-  const auto absent = std::ranges::count(sequence.truth, std::nullopt);
+  const auto absent = std::count(sequence.truth.begin(), sequence.truth.end(), std::nullopt);
   QCOMPARE(absent, hidden);
   const cv::Rect2d picture({}, cv::Size2d(*sequence.images->size()));
   for (const auto& box : sequence.truth) QVERIFY(!box || !(*box & picture).empty());
