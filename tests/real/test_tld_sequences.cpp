@@ -78,12 +78,12 @@ void TestTldSequences::followsAndFindsAgain() {
 }
 
 void TestTldSequences::aModelFileCarriesWhatWasLearnt() {
-  const QString folder = sharedData("tracking/otb_lemming");
+  const QString folder = sharedData("tracking/tld_david");
   REQUIRE_DATA(folder);
   QTemporaryDir temporary;
-  const std::string file = temporary.filePath("lemming.model").toStdString();
-  const Stretch early = stretchOf(folder, 0, 220);
-  const Stretch late = stretchOf(folder, 490, 40);
+  const std::string file = temporary.filePath("david.model").toStdString();
+  const Stretch early = stretchOf(folder, 0, 250);
+  const Stretch late = stretchOf(folder, 260, 60);
 
   TldTracker teacher;
   teacher.start(early.images.front(), early.truth.front().value());
