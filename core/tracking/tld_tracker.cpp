@@ -29,7 +29,7 @@ constexpr double flatShare = 0.25;
 
 constexpr float trustedLikeness = 0.7F;
 constexpr float doubtedLikeness = 0.5F;
-constexpr int longestDoubt = 10;  // images
+constexpr int longestDoubt = 25;  // images
 // By how much the best of several places must look more like the tool than the second.
 constexpr float lead = 0.05F;
 constexpr double sameOverlap = 0.5;
