@@ -192,7 +192,7 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     onFace = std::count_if(cells.begin(), cells.end(),
                            [&](int index) { return face->holds(patch, index, cell); });
   }
-  OrientedBox box = smallestBox(points, normals, cell / 2.0);
+  OrientedBox box = smallestBox(points, normals, cell / 4.0);
   const bool locked = parameters.dimensions == LoadDimensions::Locked;
   const double offFace = 1.0 - static_cast<double>(onFace) / static_cast<double>(cells.size());
   if (offFace < leastOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);
