@@ -27,6 +27,7 @@ bool atBorder(const DepthPatch& patch, int cell) {
 std::vector<int> withoutBoom(const DepthPatch& patch, const LoadBody& body, double reach,
                              double toolRadius) {
   constexpr double limit = 0.9;
+  if (toolRadius <= 0.0) return body.cells;  // nothing is held, and so no boom is there
   const auto cells = static_cast<std::size_t>(patch.side) * static_cast<std::size_t>(patch.side);
   std::vector<char> outer(cells, 0);
   std::vector<int> kept;
@@ -101,17 +102,32 @@ Matrix3d principalAxes(const std::vector<Vector3d>& points) {
   return Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvectors();
 }
 
-/// What the box covers of the picture, and how much of that the body fills.
+/// Of what the box covers in the picture and nothing else hides, the share that is the body.
 double filledShare(const OrientedBox& box, const DepthPatch& patch, const std::vector<int>& cells) {
   std::vector<cv::Point2f> corners, hull;
+  double nearest = 0.0;  // inverse depth
   for (const Vector3d& p : box.corners()) {
     if (p.z() < 0.02) return 0.0;
     corners.emplace_back(static_cast<float>((p.x() / p.z() - patch.u0) / patch.cell),
                          static_cast<float>((p.y() / p.z() - patch.v0) / patch.cell));
+    nearest = std::max(nearest, 1.0 / p.z());
   }
+  std::vector<char> own(patch.q.size(), 0);
+  for (const int cell : cells) own[static_cast<std::size_t>(cell)] = 1;
   cv::convexHull(corners, hull);
-  const double area = cv::contourArea(hull);
-  return area > 0.0 ? static_cast<double>(cells.size()) / area : 0.0;
+  const cv::Rect frame = cv::boundingRect(hull) & cv::Rect(0, 0, patch.side, patch.side);
+  int filled = 0, all = 0;
+  for (int row = frame.y; row < frame.y + frame.height; ++row) {
+    for (int column = frame.x; column < frame.x + frame.width; ++column) {
+      const cv::Point2f middle(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
+      if (cv::pointPolygonTest(hull, middle, false) < 0.0) continue;
+      const auto i = static_cast<std::size_t>(row * patch.side + column);
+      if (own[i] == 0 && patch.q[i] > nearest) continue;  // something stands before it
+      ++all;
+      filled += own[i];
+    }
+  }
+  return all > 0 ? static_cast<double>(filled) / all : 0.0;
 }
 
 /// Sizes as the operator gave them, named as they fit best; what is seen stays where it is, and the
@@ -176,7 +192,7 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     onFace = std::count_if(cells.begin(), cells.end(),
                            [&](int index) { return face->holds(patch, index, cell); });
   }
-  OrientedBox box = smallestBox(points, normals, cell / 2.0);
+  OrientedBox box = smallestBox(points, normals, cell / 4.0);
   const bool locked = parameters.dimensions == LoadDimensions::Locked;
   const double offFace = 1.0 - static_cast<double>(onFace) / static_cast<double>(cells.size());
   if (offFace < leastOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);

@@ -167,11 +167,11 @@ double CylinderEnds::alongAxis(const ViewedCylinder& cylinder, double u) {
 CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
                       const ViewedCylinder& cylinder, const Vector3d& tool, double toolRadius) {
   const Slices cutting = cut(patch, frame, cylinder, tool, toolRadius);
-  const auto from =
-      static_cast<std::ptrdiff_t>((tool[1] / tool[0] - cutting.begin) / cutting.width);
+  const double place = (tool[1] / tool[0] - cutting.begin) / cutting.width;
   CylinderEnds ends;
   int on = 0, ended = 0, all = 0;
-  if (from < 0 || from >= static_cast<std::ptrdiff_t>(cutting.slices.size())) return ends;
+  if (!(place >= 0.0 && place < static_cast<double>(cutting.slices.size()))) return ends;
+  const auto from = static_cast<std::ptrdiff_t>(place);
   for (const int side : {0, 1}) {
     const Followed end = follow(cutting, patch, frame, cylinder, from, side == 0 ? -1 : 1);
     ends.u[static_cast<std::size_t>(side)] = end.u;

@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int halfSide = 75;
+constexpr int finestHalfSide = 75, coarsestHalfSide = 20;
+constexpr double leastPerCell = 2.5;
 constexpr double samplesPerCell = 9.0;
 constexpr float nearest = 0.02F;  ///< metres; nothing is measured nearer
 
@@ -104,17 +105,27 @@ double samplePitch(const DepthPatch& patch) {
   return cells > 0.0 ? patch.cell * std::sqrt(cells / count) : patch.cell;
 }
 
+/// Lays the grid around the tool, in cells of `reach / halfSide` metres there.
+void layGrid(DepthPatch& patch, const Vector3f& tool, double reach, int halfSide) {
+  patch.side = 2 * halfSide + 1;
+  patch.cell = reach / tool.z() / halfSide;
+  patch.u0 = tool.x() / tool.z() - patch.side / 2.0 * patch.cell;
+  patch.v0 = tool.y() / tool.z() - patch.side / 2.0 * patch.cell;
+}
+
 }  // namespace
 
 DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, double noise) {
   DepthPatch patch;
   if (!isMeasured(tool) || tool.z() <= nearest) return patch;
-  patch.side = 2 * halfSide + 1;
-  patch.cell = reach / tool.z() / halfSide;
-  patch.u0 = tool.x() / tool.z() - patch.side / 2.0 * patch.cell;
-  patch.v0 = tool.y() / tool.z() - patch.side / 2.0 * patch.cell;
   patch.noise = noise;
+  layGrid(patch, tool, reach, finestHalfSide);
   const double perCell = density(cloud, patch);
+  // Where points are sparse, cells that are too fine would tear a surface.
+  if (perCell < leastPerCell) {
+    const int half = static_cast<int>(finestHalfSide * std::sqrt(perCell / leastPerCell));
+    layGrid(patch, tool, reach, std::max(half, coarsestHalfSide));
+  }
   const int step = std::clamp(static_cast<int>(std::sqrt(perCell / samplesPerCell)), 1, 16);
   std::vector<Placed> placed;
   placed.reserve(cloud.size() / static_cast<std::size_t>(step * step) / 2 + 1);

@@ -47,8 +47,9 @@ struct DepthPatch {
 };
 
 /// All that lies up to `reach` metres beside the tool, at the tool's depth, in cells of reach / 75;
-/// of a dense cloud only as many samples as the cells need. `noise` as in DepthPatch. Empty where
-/// nothing was measured there or the tool point is not in front of the camera. Pure.
+/// coarser where the points are sparse, and of a dense cloud only as many as the cells need.
+/// `noise` as in DepthPatch. Empty where nothing was measured there or the tool point is not in
+/// front of the camera. Pure.
 DepthPatch patchAround(const Cloud& cloud, const Eigen::Vector3f& tool, double reach, double noise);
 
 }  // namespace boomwatch

@@ -1,0 +1,139 @@
+#include <QDirIterator>
+#include <QtTest>
+#include <map>
+#include <opencv2/imgproc.hpp>
+
+#include "load/load_detector.h"
+#include "real_data.h"
+#include "sources/cloud_file.h"
+#include "tracking/tool_point.h"
+
+using namespace boomwatch;
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr double depthNoise = 0.0014;  // a Kinect's, 1/m
+constexpr Bounds everywhere{-10, 10, -10, 10, 0, 20};
+
+/// There is no tool in these pictures: the tool point lies on the thing itself.
+LoadDetection boxAt(const Cloud& cloud, const Vector3f& tool, double maxSize) {
+  LoadParameters parameters;
+  parameters.shape = LoadShape::Box;
+  parameters.toolSize = 0.0;
+  parameters.maxSize = maxSize;
+  return detectLoad(cloud, tool, depthNoise, everywhere, parameters);
+}
+
+double enclosedShare(const OrientedBox& box, const Points& points) {
+  const auto inside = std::count_if(points.begin(), points.end(), [&](const Vector3f& p) {
+    return box.contains(p.cast<double>());
+  });
+  return static_cast<double>(inside) / static_cast<double>(points.size());
+}
+
+/// Of `points` the one seen nearest to their middle.
+Vector3f middleOf(const Points& points) {
+  Vector3f mean = Vector3f::Zero();
+  for (const Vector3f& p : points) mean += p / static_cast<float>(points.size());
+  const auto off = [&](const Vector3f& p) { return (p / p.z() - mean / mean.z()).norm(); };
+  return *std::min_element(points.begin(), points.end(),
+                           [&](const Vector3f& a, const Vector3f& b) { return off(a) < off(b); });
+}
+
+/// What was measured inside an outline that was drawn by hand into the picture.
+Points inside(const Cloud& cloud, const std::vector<cv::Point>& outline) {
+  Points points;
+  for (int row = 0; row < cloud.height; ++row) {
+    for (int column = 0; column < cloud.width; ++column) {
+      const Vector3f& p = cloud.at(column, row);
+      const cv::Point2f pixel(static_cast<float>(column), static_cast<float>(row));
+      if (isMeasured(p) && cv::pointPolygonTest(outline, pixel, false) > 0.0) points.push_back(p);
+    }
+  }
+  return points;
+}
+
+QString pclExample(const QString& name) {
+  QDirIterator files(QStringLiteral("/usr/share/doc/python3-pcl"), {name}, QDir::Files,
+                     QDirIterator::Subdirectories);
+  return files.hasNext() ? files.next() : QString();
+}
+
+/// Debian's copy has y up and z backwards.
+Cloud turned(const Cloud& cloud) {
+  Cloud result = cloud;
+  for (Vector3f& p : result.points) p = {p.x(), -p.y(), -p.z()};
+  return result;
+}
+
+/// Labels are written by hand: ten numbers an object, from 20 on, one a face.
+Points labelled(const CloudFile& file, unsigned object) {
+  Points points;
+  for (std::size_t k = 0; k < file.labels.size(); ++k) {
+    const Vector3f& p = file.cloud->points[k];
+    if (file.labels[k] / 10 == object + 1 && isMeasured(p)) points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace
+
+/// The load detector on what real sensors saw: boxes and a carton, as stand-ins for loads.
+class TestRealLoads : public QObject {
+  Q_OBJECT
+ private slots:
+  void aLabelledBoxIsEnclosed_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<unsigned>("object");
+    QTest::newRow("learn0 1") << QStringLiteral("learn0") << 1U;
+    QTest::newRow("test3 2") << QStringLiteral("test3") << 2U;
+  }
+  void aLabelledBoxIsEnclosed() {
+    QFETCH(QString, name);
+    QFETCH(unsigned, object);
+    const QString path = sharedData(QStringLiteral("pcd_labelled_mosd/%1.pcd").arg(name));
+    REQUIRE_DATA(path);
+    const CloudFile file = readCloudFile(path.toStdString());
+    const Points points = labelled(file, object);
+    QVERIFY(points.size() > 1000);
+    const LoadDetection found = boxAt(*file.cloud, middleOf(points), 0.6);
+    QVERIFY(found.box);
+    const Eigen::Vector3d& size = found.box->size;
+    qInfo("%.3f x %.3f x %.3f m, encloses %.1f %%", size.x(), size.y(), size.z(),
+          100.0 * enclosedShare(*found.box, points));
+    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
+  }
+
+  /// A half-gallon carton is 95 mm square and 248 mm high with its gable.
+  void aMilkCartonIsEnclosedAndNoMore() {
+    const QString path = pclExample(QStringLiteral("milk_cartoon_all_small_clorox.pcd"));
+    if (path.isEmpty()) QSKIP("python3-pcl does not bring the carton");
+    constexpr double volume = 0.095 * 0.095 * 0.248;
+    const Cloud cloud = turned(*readCloudFile(path.toStdString()).cloud);
+    const Points points = inside(
+        cloud, {{240, 92}, {250, 72}, {303, 62}, {321, 97}, {319, 206}, {278, 222}, {248, 205}});
+    QVERIFY(points.size() > 3000);
+    const auto tool = toolPointAt(cloud, {285, 150});
+    QVERIFY(tool);
+    const LoadDetection found = boxAt(cloud, *tool, 0.6);
+    QVERIFY(found.box);
+    const Eigen::Vector3d& size = found.box->size;
+    qInfo("%.3f x %.3f x %.3f m, encloses %.1f %%, volume %.2f of the carton's", size.x(), size.y(),
+          size.z(), 100.0 * enclosedShare(*found.box, points), size.prod() / volume);
+    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
+    QVERIFY(size.prod() < 1.3 * volume);
+  }
+
+  void theFloorBesideTheCartonIsNoLoad() {
+    const QString path = pclExample(QStringLiteral("milk_cartoon_all_small_clorox.pcd"));
+    if (path.isEmpty()) QSKIP("python3-pcl does not bring the carton");
+    const Cloud cloud = turned(*readCloudFile(path.toStdString()).cloud);
+    const auto tool = toolPointAt(cloud, {320, 300});
+    QVERIFY(tool);
+    QVERIFY(!boxAt(cloud, *tool, 0.6).box);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestRealLoads)
+#include "test_real_loads.moc"
