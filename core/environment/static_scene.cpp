@@ -85,6 +85,20 @@ void maskTool(StaticScene& scene, const Points& points, const Clusters& clusters
 
 }  // namespace
 
+std::string_view toString(ToolMask mask) {
+  switch (mask) {
+    case ToolMask::NoToolPoint:
+      return "no_tool_point";
+    case ToolMask::NothingThere:
+      return "nothing_there";
+    case ToolMask::TooLarge:
+      return "too_large";
+    case ToolMask::Taken:
+      return "taken";
+  }
+  return "";
+}
+
 StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& tool,
                            const std::optional<OrientedBox>& load, const Parameters& parameters) {
   const FilterParameters& filter = parameters.filter;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "frame/cloud.h"
 #include "frame/oriented_box.h"
@@ -17,6 +18,8 @@ enum class ToolMask {
   TooLarge,
   Taken,  ///< `toolBox` is set
 };
+/// Stable name for files and logs.
+std::string_view toString(ToolMask mask);
 
 /// The cloud split into what may enter the model and what was taken out as boom, tool and load.
 struct StaticScene {

@@ -98,7 +98,7 @@ struct LoadParameters {
   double learnTime = 2.0;  ///< seconds over which sizes are learnt, to be held from then on
   double maxSize = 5.0;    ///< what is longer is no load
   double toolSize = 0.8;   ///< diameter, about the tool point, of what is the tool itself
-  double margin = 0.1;     ///< about a detected load, in which points are taken out with it
+  double margin = 0.1;     ///< about the load, in which points are taken out with it
 
   /// In the camera frame, metres and radians.
   OrientedBox box() const {

@@ -180,23 +180,24 @@ std::future<void> Pipeline::State::look(const Result& result) {
 
 std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
-  if (parameters.source != LoadSource::Detected) {
+  const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
+  if (parameters.source == LoadSource::Detected) {
+    const LoadDetection detection = result.tool.point
+                                        ? detectLoad(*result.cloud, *result.tool.point, noise,
+                                                     result.parameters.bounds, parameters)
+                                        : LoadDetection::refused(LoadFault::NoToolPoint);
+    const auto followed = loads.follow(detection, result.frame->stamp, parameters,
+                                       result.parameters.validity.maxLoadAge);
+    result.load = followed.box;
+    result.loadFault = detection.fault;
+    result.loadAge = followed.age;
+  } else {
     loads.reset();
     result.load = parameters.source == LoadSource::Manual ? parameters.box() : result.frame->load;
-    return result.load;
   }
-  const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
-  const LoadDetection detection = result.tool.point
-                                      ? detectLoad(*result.cloud, *result.tool.point, noise,
-                                                   result.parameters.bounds, parameters)
-                                      : LoadDetection::refused(LoadFault::NoToolPoint);
-  const auto followed = loads.follow(detection, result.frame->stamp, parameters,
-                                     result.parameters.validity.maxLoadAge);
-  result.load = followed.box;
-  result.loadFault = detection.fault;
-  result.loadAge = followed.age;
-  return followed.box ? std::optional(dynamicVolume(*followed.box, parameters.margin, noise))
-                      : std::nullopt;
+  // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
+  if (!result.load || !isUsable(*result.load)) return std::nullopt;
+  return dynamicVolume(*result.load, parameters.margin, noise);
 }
 
 void Pipeline::State::updateModel(Result& result) {
