@@ -74,7 +74,7 @@ QByteArray toJsonLine(const Result& result) {
       {"row_residue_px", number(result.rowResidue)},
       {"rows_corrected_px", number(result.rowsCorrected)},
       {"tool", result.frame ? toolObject(result.tool) : none},
-      {"tool_mask", result.cloud ? QJsonValue(text(toString(result.scene.toolMask))) : none},
+      {"tool_mask", result.cloud ? QJsonValue(text(nameOf(result.scene.toolMask))) : none},
       {"message", QString::fromStdString(result.message)},
       {"timings_ms", timings},
   };

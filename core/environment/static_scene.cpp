@@ -85,7 +85,7 @@ void maskTool(StaticScene& scene, const Points& points, const Clusters& clusters
 
 }  // namespace
 
-std::string_view toString(ToolMask mask) {
+std::string_view nameOf(ToolMask mask) {
   switch (mask) {
     case ToolMask::NoToolPoint:
       return "no_tool_point";

@@ -19,7 +19,7 @@ enum class ToolMask {
   Taken,  ///< `toolBox` is set
 };
 /// Stable name for files and logs.
-std::string_view toString(ToolMask mask);
+std::string_view nameOf(ToolMask mask);
 
 /// The cloud split into what may enter the model and what was taken out as boom, tool and load.
 struct StaticScene {
