@@ -28,9 +28,9 @@ struct CommandLine {
   std::optional<cv::Rect> track;           ///< the tool's box in the first picture
   std::vector<std::string> trackerModels;  ///< files; several are merged
   std::string saveTrackerModel;            ///< empty: nowhere
-  bool evaluate = false;          ///< run trackers over evaluationFolders; see evaluate.h
-  QStringList evaluationFolders;  ///< at least one
-  QStringList trackers;           ///< of --tracker; empty: all of them are evaluated
+  bool evaluate = false;                   ///< run trackers over evaluationFolders; see evaluate.h
+  QStringList evaluationFolders;           ///< at least one
+  QStringList trackers;                    ///< of --tracker; empty: all of them are evaluated
   bool help = false;
   bool version = false;
 };
