@@ -63,10 +63,10 @@ int main() {
       bench::medianMilliseconds(51, [&] { model.update(points, boomwatch::ModelParameters{}); });
   const double decay =
       bench::medianMilliseconds(51, [&] { model.update({}, boomwatch::ModelParameters{}); });
-  const auto timeOf = [&](boomwatch::ModelUpdate update) {
+  const auto timeOf = [&](boomwatch::ModelUpdate kind) {
     EnvironmentModel other(geometry);
     return bench::medianMilliseconds(
-        51, [&] { other.update(points, boomwatch::ModelParameters{.update = update}); });
+        51, [&] { other.update(points, boomwatch::ModelParameters{.update = kind}); });
   };
   const double hysteresis = timeOf(boomwatch::ModelUpdate::Hysteresis);
   const double logOdds = timeOf(boomwatch::ModelUpdate::LogOdds);
