@@ -778,8 +778,8 @@
         <translation>Rand</translation>
     </message>
     <message>
-        <source>Points so near to the load are taken out with it</source>
-        <translation>Punkte, die der Last so nah sind, werden mit ihr herausgenommen</translation>
+        <source>detected: points so near to the load are taken out with it; else one cell</source>
+        <translation>detected: Punkte, die der Last so nah sind, werden mit ihr herausgenommen; sonst eine Zelle</translation>
     </message>
     <message>
         <source>Load age</source>

@@ -202,7 +202,8 @@ constexpr auto table = std::to_array<ParameterInfo>({
                                 {0, 20, 0.1}),
     row<&P::load, &L::margin>(
         "load_margin",
-        {TR("Load"), TR("Margin"), TR("Points so near to the load are taken out with it"), "m"},
+        {TR("Load"), TR("Margin"),
+         TR("detected: points so near to the load are taken out with it; else one cell"), "m"},
         {0, 10, 0.05}),
     row<&P::tracking, &TP::tracker>(
         "tracker",

@@ -35,9 +35,9 @@ struct StereoParameters {
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
   double texture = 0.2;
-  int average = 1;     ///< frames of a still camera that a disparity is the mean of; 1 is off
-  bool refine = true;  ///< turn the right camera so that the rows of both pictures agree
-  int smooth = 0;      ///< width of the neighbourhood that a disparity is the mean of; 0 is off
+  int average = 1;      ///< frames of a still camera that a disparity is the mean of; 1 is off
+  bool refine = false;  ///< turn the right camera so that the rows of both pictures agree
+  int smooth = 0;       ///< width of the neighbourhood that a disparity is the mean of; 0 is off
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.
@@ -98,7 +98,7 @@ struct LoadParameters {
   double learnTime = 2.0;  ///< seconds over which sizes are learnt, to be held from then on
   double maxSize = 5.0;    ///< what is longer is no load
   double toolSize = 0.8;   ///< diameter, about the tool point, of what is the tool itself
-  double margin = 0.1;     ///< about the load, in which points are taken out with it
+  double margin = 0.1;     ///< about a detected load, in which points are taken out with it
 
   /// In the camera frame, metres and radians.
   OrientedBox box() const {

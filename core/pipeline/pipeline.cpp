@@ -197,7 +197,9 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   }
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
-  return dynamicVolume(*result.load, parameters.margin, noise);
+  const bool detected = parameters.source == LoadSource::Detected;
+  const double margin = detected ? parameters.margin : result.parameters.model.resolution;
+  return dynamicVolume(*result.load, margin, noise);
 }
 
 void Pipeline::State::updateModel(Result& result) {

@@ -223,9 +223,9 @@ void TestPipeline::pointsInsideTheLoadAreRemovedAndShown() {
   Pipeline pipeline;
   const Result result = runWall(pipeline, parameters, 5, 3.0F);
   QVERIFY(!result.scene.removed.empty());
-  // With the margin, and three standard deviations of the depth at 3 m.
+  // With a cell more, and three standard deviations of the depth at 3 m.
   OrientedBox volume = *result.load;
-  volume.size.array() += 2.0 * (parameters.load.margin + 0.04);
+  volume.size.array() += 2.0 * (parameters.model.resolution + 0.04);
   int besideLoad = 0;
   for (const auto& point : result.scene.removed) {
     QVERIFY(volume.contains(point.cast<double>()));

@@ -183,8 +183,7 @@ void TestOverheadSlow::floorIsInTheModel() {
   qInfo("from frame %zu on, at least %zu cells at 2.6 to 2.9 m, %.1f %% of all below 2.3 m",
         settled, fewest, 100 * least);
   QVERIFY(fewest >= 500);
-  // With the rows put right the matcher also sees the floor's far corner, a little beyond 2.9 m.
-  QVERIFY(least >= 0.90);
+  QVERIFY(least >= 0.95);
 }
 
 void TestOverheadSlow::whoWalksThroughIsNotInTheModelAfterwards() {
@@ -228,17 +227,16 @@ void TestOverheadSlow::distanceIsShorterWhileSomebodyIsNear() {
 void TestOverheadSlow::overexposedStripeIsNeverObserved() {
   // Whoever walks through shades the stripe, and what is shaded is seen: little of it stays
   // over-exposed from end to end.
-  std::size_t all = 0, unseen = 0;
+  std::size_t all = 0;
   for (auto& cells : m_stripes) {
     const std::size_t never = cells[CellState::NeverObserved];
     const std::size_t seen = cells[CellState::ObservedFree] + cells[CellState::Occupied];
     qInfo("of %zu cells that are always over-exposed, %zu were never observed", never + seen,
           never);
+    QVERIFY(static_cast<double>(never) >= 0.98 * static_cast<double>(never + seen));
     all += never + seen;
-    unseen += never;
   }
   QVERIFY(all >= 50);
-  QVERIFY(static_cast<double>(unseen) >= 0.98 * static_cast<double>(all));
 }
 
 QTEST_GUILESS_MAIN(TestOverheadSlow)
