@@ -30,75 +30,65 @@ constexpr std::array<std::string_view, 3> views{"stereo", "depth", "cloud"};
 constexpr std::array<std::string_view, 2> paths{"scripted", "random"};
 constexpr std::array<std::string_view, 2> switches{"off", "on"};
 
-const std::array<Option, 11>& optionTable() {
-  static const std::array<Option, 11> table{{
-      {"seed",
-       "another yard, path and weather",
-       "1",
-       0,
-       999999,
-       true,
-       {},
-       [](YardOptions& o, double v) { o.seed = static_cast<std::uint64_t>(v); }},
-      {"frames",
-       "how many, 20 a second",
-       "600",
-       1,
-       12000,
-       true,
-       {},
-       [](YardOptions& o, double v) { o.frames = static_cast<std::size_t>(v); }},
-      {"as", "pair of pictures; noisy depth; exact points", "stereo", 0, 0, false, views,
-       [](YardOptions& o, double v) { o.as = static_cast<YardView>(static_cast<int>(v)); }},
-      {"path", "stack, wall, ground, tree in turn; or any", "scripted", 0, 0, false, paths,
-       [](YardOptions& o, double v) { o.path = static_cast<YardPath>(static_cast<int>(v)); }},
-      {"noise",
-       "of the pictures, grey levels",
-       "2",
-       0,
-       30,
-       false,
-       {},
-       [](YardOptions& o, double v) { o.noise = v; }},
-      {"exposure",
-       "swing to both sides, stops",
-       "0",
-       0,
-       3,
-       false,
-       {},
-       [](YardOptions& o, double v) { o.exposure = v; }},
-      {"blur",
-       "share of a frame's time that the shutter is open",
-       "0",
-       0,
-       1,
-       false,
-       {},
-       [](YardOptions& o, double v) { o.blur = v; }},
-      {"rain",
-       "1 is a downpour",
-       "0",
-       0,
-       1,
-       false,
-       {},
-       [](YardOptions& o, double v) { o.rain = v; }},
-      {"depth_noise",
-       "of depth and cloud, pixels of disparity",
-       "0.2 for depth, 0 for cloud",
-       0,
-       5,
-       false,
-       {},
-       [](YardOptions& o, double v) { o.depthNoise = v; }},
-      {"person", "someone who walks about", "on", 0, 0, false, switches,
-       [](YardOptions& o, double v) { o.person = v > 0.0; }},
-      {"clutter", "birds, leaves, swaying branches", "on", 0, 0, false, switches,
-       [](YardOptions& o, double v) { o.clutter = v > 0.0; }},
-  }};
-  return table;
-}
+constexpr std::array<Option, 11> optionTable{{
+    {"seed",
+     "another yard, path and weather",
+     "1",
+     0,
+     999999,
+     true,
+     {},
+     [](YardOptions& o, double v) { o.seed = static_cast<std::uint64_t>(v); }},
+    {"frames",
+     "how many, 20 a second",
+     "600",
+     1,
+     12000,
+     true,
+     {},
+     [](YardOptions& o, double v) { o.frames = static_cast<std::size_t>(v); }},
+    {"as", "pair of pictures; noisy depth; exact points", "stereo", 0, 0, false, views,
+     [](YardOptions& o, double v) { o.as = static_cast<YardView>(static_cast<int>(v)); }},
+    {"path", "stack, wall, ground, tree in turn; or any", "scripted", 0, 0, false, paths,
+     [](YardOptions& o, double v) { o.path = static_cast<YardPath>(static_cast<int>(v)); }},
+    {"noise",
+     "of the pictures, grey levels",
+     "2",
+     0,
+     30,
+     false,
+     {},
+     [](YardOptions& o, double v) { o.noise = v; }},
+    {"exposure",
+     "swing to both sides, stops",
+     "0",
+     0,
+     3,
+     false,
+     {},
+     [](YardOptions& o, double v) { o.exposure = v; }},
+    {"blur",
+     "share of a frame's time that the shutter is open",
+     "0",
+     0,
+     1,
+     false,
+     {},
+     [](YardOptions& o, double v) { o.blur = v; }},
+    {"rain", "1 is a downpour", "0", 0, 1, false, {}, [](YardOptions& o, double v) { o.rain = v; }},
+    {"depth_noise",
+     "of depth and cloud, pixels of disparity",
+     "0.2 for depth, 0 for cloud",
+     0,
+     5,
+     false,
+     {},
+     [](YardOptions& o, double v) { o.depthNoise = v; }},
+    {"person", "someone who walks about", "on", 0, 0, false, switches,
+     [](YardOptions& o, double v) { o.person = v > 0.0; }},
+    {"clutter", "birds, leaves, swaying branches", "on", 0, 0, false, switches,
+     [](YardOptions& o, double v) { o.clutter = v > 0.0; }},
+}};
 
 std::string rangeOf(const Option& option) {
   if (option.words.empty()) {
@@ -131,7 +121,7 @@ std::optional<double> valueOf(const Option& option, std::string_view text) {
 
 const Option& optionNamed(std::string_view key, const std::string& address) {
   std::string known;
-  for (const Option& option : optionTable()) {
+  for (const Option& option : optionTable) {
     if (option.key == key) return option;
     if (!known.empty()) known += ", ";
     known += option.key;
@@ -172,7 +162,7 @@ YardOptions parseYardOptions(const std::string& text, const std::string& address
 
 std::string yardOptionsHelp() {
   std::string help;
-  for (const Option& option : optionTable()) {
+  for (const Option& option : optionTable) {
     std::array<char, 160> line{};
     std::snprintf(line.data(), line.size(), "  %-12.*s %-20s [%.*s] %.*s\n",
                   static_cast<int>(option.key.size()), option.key.data(), rangeOf(option).c_str(),
