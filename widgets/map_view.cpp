@@ -115,7 +115,8 @@ std::optional<QPoint> MapView::cellAt(const QPointF& position) const {
 QPointF MapView::positionOf(double x, double y) const {
   if (!model()) return {};
   const GridGeometry& geometry = model()->geometry();
-  return m_origin + QPointF(geometry.columnPosition(x), geometry.rowPosition(y)) * m_scale;
+  const QPointF metres(x - geometry.plane().left, y - geometry.plane().top);
+  return m_origin + metres * (m_scale / geometry.resolution());
 }
 
 QString MapView::readout(const QPoint& cell) const {
