@@ -43,18 +43,29 @@ void lockSizes(CylinderFit& log, const LoadParameters& parameters) {
   log.radius = std::max(parameters.sizeY, parameters.sizeZ) / 2.0;
 }
 
+/// On both sides of the tool, and seen there.
+bool isHeld(const CylinderFit& fit, double leastArm) {
+  constexpr double leastShown = 0.5;
+  return std::min(fit.arm[0], fit.arm[1]) > leastArm &&
+         std::min(fit.shown[0], fit.shown[1]) > leastShown * leastArm;
+}
+
 LoadDetection detectLog(const DepthPatch& patch, const LoadBody& body, const Bounds& bounds,
                         const LoadParameters& parameters) {
   constexpr double armCells = 4.0, thickest = 0.25;  // of the largest size, as a diameter
-  const CylinderLimits limits{parameters.toolSize / 2.0, armCells * patch.cell * body.tool.z(),
-                              thickest / 2.0 * parameters.maxSize};
+  constexpr double above = 0.15;  // metres by which a grapple is longer than it is wide
+  const double leastArm = armCells * patch.cell * body.tool.z(), toolRadius = parameters.toolSize / 2;
+  const CylinderLimits limits{toolRadius, thickest / 2.0 * parameters.maxSize};
   CylinderFit log;
   log.fault = LoadFault::NoBody;
-  for (const LoadAxis& axis : findAxes(patch, body, limits.toolRadius, limits.leastArm)) {
-    const CylinderFit fit = fitCylinder(patch, body, axis, limits);
+  for (const LoadAxis& axis :
+       findAxes(patch, body, {toolRadius, leastArm, parameters.toolSize + above})) {
+    CylinderFit fit = fitCylinder(patch, body.tool, axis, limits);
+    if (fit.fault == LoadFault::None && !isHeld(fit, leastArm)) fit.fault = LoadFault::NoBody;
+    const double shown = fit.shown[0] + fit.shown[1], before = log.shown[0] + log.shown[1];
+    const bool better = log.fault != LoadFault::None || shown > before;
     // What says more than that there is nothing is kept.
-    if (fit.fault == LoadFault::None || log.fault == LoadFault::NoBody) log = fit;
-    if (fit.fault == LoadFault::None) break;
+    if (fit.fault == LoadFault::None ? better : log.fault == LoadFault::NoBody) log = fit;
   }
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const bool locked = parameters.dimensions == LoadDimensions::Locked;
