@@ -66,7 +66,7 @@ void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
 /// Whether the camera sees so far to the side, with a little room.
 bool inPicture(const DepthPatch& patch, const CylinderFrame& frame, const Vector3d& local) {
   const Vector3d p = frame.toCamera(local);
-  const double u = p.x() / p.z(), v = p.y() / p.z(), room = 2.0 * patch.cell;
+  const double u = p.x() / p.z(), v = p.y() / p.z(), room = patch.cell;
   return p.z() > 0.0 && u > patch.uMin + room && u < patch.uMax - room && v > patch.vMin + room &&
          v < patch.vMax - room && patch.indexOf(u, v) >= 0;
 }
@@ -133,7 +133,7 @@ class Walk {
         ended = empty = covered = 0;
         continue;
       }
-      if (kind == SliceKind::Covered || !slice.inPicture) {
+      if (kind == SliceKind::Covered || (kind == SliceKind::Empty && !slice.inPicture)) {
         ++covered;
         end.farthest = outer;
       } else {
