@@ -173,12 +173,13 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
   if (parameters.source == LoadSource::Detected) {
-    const LoadDetection detection = result.tool.point
-                                        ? detectLoad(*result.cloud, *result.tool.point, noise,
-                                                     result.parameters.bounds, parameters)
-                                        : LoadDetection::refused(LoadFault::NoToolPoint);
-    const auto followed = loads.follow(detection, result.frame->stamp, parameters,
-                                       result.parameters.validity.maxLoadAge);
+    const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
+    const LoadDetection detection =
+        result.tool.point ? detectLoad(*result.cloud, *result.tool.point, noise,
+                                       result.parameters.bounds, parameters,
+                                       loads.expected(stamp, maxAge))
+                          : LoadDetection::refused(LoadFault::NoToolPoint);
+    const auto followed = loads.follow(detection, stamp, parameters, maxAge);
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;
