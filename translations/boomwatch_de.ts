@@ -103,6 +103,10 @@
         <source>Demo: forestry y&amp;ard</source>
         <translation>Demo: &amp;Holzplatz</translation>
     </message>
+    <message>
+        <source>&amp;Map...</source>
+        <translation>&amp;Karte...</translation>
+    </message>
 </context>
 <context>
     <name>Panes</name>
@@ -1722,6 +1726,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Calibrations (*.yaml *.yml *.xml *.txt);;All files (*)</source>
         <translation>Kalibrierungen (*.yaml *.yml *.xml *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A height or depth map: an ASCII grid, or a YAML file about one</source>
+        <translation>Eine Höhen- oder Tiefenkarte: ein ASCII-Gitter, oder eine YAML-Datei darüber</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Maps (*.asc *.yaml *.yml)</source>
+        <translation>Karten (*.asc *.yaml *.yml)</translation>
     </message>
 </context>
 <context>
