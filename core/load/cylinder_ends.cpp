@@ -18,6 +18,7 @@ struct Slice {
   int on = 0, behind = 0, before = 0;
   double sum = 0.0;       ///< of (q - expected q) of those on it
   double expected = 0.0;  ///< how many samples have room there
+  double u = 0.0;         ///< its middle
   double q = 0.0;         ///< of the near line
   double along = 0.0;     ///< metres from where it passes the tool
   bool inPicture = false;
@@ -84,6 +85,7 @@ Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCyli
   for (std::size_t i = 0; i < cutting.slices.size(); ++i) {
     Slice& slice = cutting.slices[i];
     const double u = cutting.middle(i);
+    slice.u = u;
     slice.q = line.q(u);
     if (!(slice.q > 0.0)) continue;
     const Vector3d p = line.at(u);
@@ -158,6 +160,42 @@ class Walk {
   double m_toolRadius;
 };
 
+/// Where the camera sees a slice's middle on the flat end at `along`: how much less its inverse
+/// depth is than that of the round surface.
+double offOnFlat(const Slice& slice, const Vector3d& ray, const Vector3d& outwards, double end) {
+  const double depth = end / ray.dot(outwards);  // the plane of the end: p . outwards = end
+  return depth > 0.0 ? std::min(0.0, 1.0 / depth - slice.q) : 0.0;
+}
+
+/// Where the flat end faces the camera it is seen beyond the round surface, and leaves it gradually:
+/// the place for which what is seen on both fits best. `u` is where it was left for certain.
+double sharpened(const Slices& cutting, const NearLine& line, double u, int step, double noise) {
+  constexpr int tried = 40;
+  constexpr double farthest = 0.4, facing = -0.1;  // metres; cosine
+  const Vector3d outwards = line.direction() * step, edge = line.at(u);
+  if (outwards.dot(edge.normalized()) > facing) return u;
+  const double end = outwards.dot(edge);
+  double best = u, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < tried; ++k) {
+    const double back = farthest * k / tried;
+    double cost = 0.0;
+    for (const Slice& slice : cutting.slices) {
+      const double beyond = outwards.dot(line.at(slice.u)) - end;
+      if (slice.on == 0 || slice.q <= 0.0 || std::abs(beyond) > farthest) continue;
+      const Vector3d ray(1.0, slice.u, line.v(slice.u));
+      const double off = beyond > -back ? offOnFlat(slice, ray, outwards, end - back) : 0.0;
+      const double sigmas = (slice.sum / slice.on - off) * std::sqrt(double(slice.on)) / noise;
+      cost += std::min(sigmas * sigmas, 9.0);
+    }
+    if (cost < least) {
+      least = cost;
+      const Vector3d p = edge - outwards * back;
+      best = p[1] / p[0];
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 double CylinderEnds::alongAxis(const ViewedCylinder& cylinder, double u) {
@@ -179,10 +217,11 @@ CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
   }
   if (!std::isfinite(least)) return ends;
   const Walk walk(cutting, patch, toolRadius);
+  const NearLine line = NearLine::of(cylinder);
   int on = 0, off = 0;
   for (const std::size_t side : {0U, 1U}) {
     const Followed end = walk.follow(static_cast<std::ptrdiff_t>(from), side == 0 ? -1 : 1);
-    ends.u[side] = end.u;
+    ends.u[side] = end.seen ? sharpened(cutting, line, end.u, side == 0 ? -1 : 1, patch.noise) : end.u;
     ends.farthest[side] = end.farthest;
     ends.seen[side] = end.seen;
     ends.shown[side] = end.on * cutting.width;

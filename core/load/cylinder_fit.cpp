@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 using Vector5 = Eigen::Matrix<double, ViewedCylinder::parameters, 1>;
 using Matrix5 = Eigen::Matrix<double, ViewedCylinder::parameters, ViewedCylinder::parameters>;
 
-constexpr double endOn = 0.2;       ///< radians between axis and view below which no length is seen
 constexpr double roughness = 0.01;  ///< metres by which bark is no cylinder
 constexpr double shortestAspect = 1.5;  ///< of length to diameter; what is stubbier has no axis
 
@@ -34,20 +33,22 @@ void residuals(const Strip& strip, const DepthPatch& patch, const ViewedCylinder
 }
 
 /// Levenberg-Marquardt; beyond about two standard deviations a residual pulls less and less.
-bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinder) {
+bool refine(const Strip& strip, const DepthPatch& patch, std::optional<double> radius,
+            ViewedCylinder& cylinder) {
   constexpr int iterations = 8;
   constexpr double soft = 4.0;  // squared
+  constexpr double knownWithin = 0.05;
   std::vector<double> now, moved;
   Eigen::Matrix<double, Eigen::Dynamic, ViewedCylinder::parameters> slope;
   residuals(strip, patch, cylinder, now);
   if (now.size() < 10) return false;
   slope.resize(static_cast<Eigen::Index>(now.size()), ViewedCylinder::parameters);
-  const auto cost = [](const std::vector<double>& r) {
-    double sum = 0.0;
+  const auto cost = [&](const std::vector<double>& r, const ViewedCylinder& of) {
+    double sum = radius ? std::pow((of.radius() - *radius) / (knownWithin * *radius), 2) / soft : 0.0;
     for (const double x : r) sum += std::log1p(x * x / soft);
     return sum;
   };
-  double damping = 1e-3, best = cost(now);
+  double damping = 1e-3, best = cost(now, cylinder);
   for (int k = 0; k < iterations; ++k) {
     for (int j = 0; j < ViewedCylinder::parameters; ++j) {
       ViewedCylinder nudged = cylinder;
@@ -66,6 +67,11 @@ bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinde
       left += weight * row * row.transpose();
       right -= weight * row * now[i];
     }
+    if (radius) {
+      const double weight = 1.0 / std::pow(knownWithin * *radius, 2);
+      left(4, 4) += weight;
+      right[4] += weight * (*radius - cylinder.radius());
+    }
     left.diagonal() *= 1.0 + damping;
     ViewedCylinder tried = cylinder;
     tried.x += left.ldlt().solve(right);
@@ -74,7 +80,7 @@ bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinde
       continue;
     }
     residuals(strip, patch, tried, moved);
-    const double cost2 = cost(moved);
+    const double cost2 = cost(moved, tried);
     if (!(cost2 < best)) {
       damping *= 10.0;
       continue;
@@ -141,16 +147,17 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
   constexpr int rounds = 2;
   constexpr double leastFilled = 0.7, leastOutlined = 0.4, room = 0.1;
   LoadAxis surface = start;
-  Strip::Limits around{limits.maxRadius, limits.maxRadius, limits.toolRadius};
+  Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, limits.toolRadius};
+  if (limits.radius) around.halfWidth = 1.6 * *limits.radius + room;
   CylinderFit fit;
   for (int round = 0; round < rounds; ++round) {
-    const auto frame = CylinderFrame::facing(surface.point, surface.direction, endOn);
+    const auto frame = CylinderFrame::facing(surface.point, surface.direction, limits.endOn);
     if (!frame) return refused(LoadFault::EndOn);
     const Vector3d local = frame->toLocal(tool);
     auto strip = cutStrip(patch, *frame, NearLine::of(*frame, surface), local, around);
     if (!strip) return refused(LoadFault::FewPoints);
     ViewedCylinder& cylinder = strip->guess;
-    if (!refine(*strip, patch, cylinder)) return refused(LoadFault::PoorFit);
+    if (!refine(*strip, patch, limits.radius, cylinder)) return refused(LoadFault::PoorFit);
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
     const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, limits.toolRadius);
     fit = inCamera(*frame, cylinder, ends, local, limits.toolRadius);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "load/axis_search.h"
 
@@ -20,10 +21,12 @@ struct CylinderFit {
   std::array<double, 2> shown{};   ///< how much of that is seen
 };
 
-/// Metres.
+/// Metres, but for endOn.
 struct CylinderLimits {
   double toolRadius;  ///< along the log, from where it passes the tool: not load, but tool
-  double maxRadius;
+  double minRadius, maxRadius;
+  double endOn = 0.2;  ///< radians between axis and view below which its length is not seen
+  std::optional<double> radius = {};  ///< where it is known
 };
 
 /// Fits a cylinder to what is seen along `start`, a line on its surface, without the tool: least

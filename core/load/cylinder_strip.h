@@ -24,7 +24,7 @@ struct Strip {
   /// Metres.
   struct Limits {
     double halfWidth;  ///< how far from the line is looked
-    double maxRadius;
+    double minRadius, maxRadius;
     double toolRadius;  ///< along the line, from where it passes the tool: left out
     /// Along the line, from where it passes the tool, to both sides: what lies beyond is left out.
     double from = -std::numeric_limits<double>::infinity();

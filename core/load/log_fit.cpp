@@ -24,8 +24,9 @@ struct Reaches {
 
   Reaches(const DepthPatch& patch, const Vector3d& tool, const LoadParameters& parameters) {
     constexpr double armCells = 4.0, thickest = 0.25;  // of the largest size, as a diameter
+    constexpr double thinnest = 0.03;
     constexpr double above = 0.15;  // by which a grapple is longer than it is wide
-    cylinder = {parameters.toolSize / 2.0, thickest / 2.0 * parameters.maxSize};
+    cylinder = {parameters.toolSize / 2.0, thinnest, thickest / 2.0 * parameters.maxSize};
     leastArm = armCells * patch.cell * tool.z();
     farthest = parameters.toolSize + above;
   }
@@ -133,12 +134,13 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
+  constexpr double endOn = 0.12;
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
   const double radius = expected.size.y() / 2.0;
   CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis},
-                                {reaches.cylinder.toolRadius, 1.5 * radius});
+                                {reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn, radius});
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const Vector3d offset = expected.centre - log.centre;
   const double across = (offset - log.axis * log.axis.dot(offset)).norm();
