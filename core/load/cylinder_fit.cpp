@@ -15,6 +15,8 @@ using Vector5 = Eigen::Matrix<double, ViewedCylinder::parameters, 1>;
 using Matrix5 = Eigen::Matrix<double, ViewedCylinder::parameters, ViewedCylinder::parameters>;
 
 constexpr double roughness = 0.01;  ///< metres by which bark is no cylinder
+constexpr double shared = 0.5;      ///< share of a point's noise that its neighbours have as well
+constexpr double soft = 4.0;        ///< a residual beyond its root pulls less and less
 constexpr double shortestAspect = 1.5;  ///< of length to diameter; what is stubbier has no axis
 
 /// Residuals in standard deviations: depths first, then the edges.
@@ -23,7 +25,7 @@ void residuals(const Strip& strip, const DepthPatch& patch, const ViewedCylinder
   out.clear();
   const CylinderOutline outline(cylinder);
   for (const Strip::Surface& s : strip.surface) {
-    const double noise = patch.noise / std::sqrt(static_cast<double>(s.count));
+    const double noise = patch.noise * std::sqrt(1.0 / s.count + shared * shared);
     const double sigma = std::hypot(noise, roughness * s.q * s.q);
     out.push_back((outline.q(s.u, s.v) - s.q) / sigma);
   }
@@ -32,11 +34,16 @@ void residuals(const Strip& strip, const DepthPatch& patch, const ViewedCylinder
   }
 }
 
+double costOf(const std::vector<double>& residuals) {
+  double sum = 0.0;
+  for (const double x : residuals) sum += std::log1p(x * x / soft);
+  return sum;
+}
+
 /// Levenberg-Marquardt; beyond about two standard deviations a residual pulls less and less.
 bool refine(const Strip& strip, const DepthPatch& patch, std::optional<double> radius,
             ViewedCylinder& cylinder) {
   constexpr int iterations = 8;
-  constexpr double soft = 4.0;  // squared
   constexpr double knownWithin = 0.05;
   std::vector<double> now, moved;
   Eigen::Matrix<double, Eigen::Dynamic, ViewedCylinder::parameters> slope;
@@ -44,9 +51,8 @@ bool refine(const Strip& strip, const DepthPatch& patch, std::optional<double> r
   if (now.size() < 10) return false;
   slope.resize(static_cast<Eigen::Index>(now.size()), ViewedCylinder::parameters);
   const auto cost = [&](const std::vector<double>& r, const ViewedCylinder& of) {
-    double sum = radius ? std::pow((of.radius() - *radius) / (knownWithin * *radius), 2) / soft : 0.0;
-    for (const double x : r) sum += std::log1p(x * x / soft);
-    return sum;
+    const double sum = radius ? std::pow((of.radius() - *radius) / (knownWithin * *radius), 2) / soft : 0.0;
+    return sum + costOf(r);
   };
   double damping = 1e-3, best = cost(now, cylinder);
   for (int k = 0; k < iterations; ++k) {
@@ -91,6 +97,19 @@ bool refine(const Strip& strip, const DepthPatch& patch, std::optional<double> r
     if (settled) break;
   }
   return cylinder.isUsable();
+}
+
+/// Of the strip's own guess and what was found before, the one that it agrees with better.
+void chooseStart(Strip& strip, const DepthPatch& patch, const CylinderFrame& frame,
+                 const CylinderFit& before) {
+  ViewedCylinder known = strip.guess;
+  const NearLine axis = NearLine::of(frame, {before.centre, before.axis});
+  known.x << axis.v(known.ua), axis.v(known.ub), axis.q(known.ua), axis.q(known.ub), before.radius;
+  if (!known.isUsable()) return;
+  std::vector<double> ofGuess, ofKnown;
+  residuals(strip, patch, strip.guess, ofGuess);
+  residuals(strip, patch, known, ofKnown);
+  if (costOf(ofKnown) < costOf(ofGuess)) strip.guess = known;
 }
 
 /// Whether what was fitted is round and there: depths and both edges agree with it.
@@ -149,6 +168,7 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
   LoadAxis surface = start;
   Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, limits.toolRadius};
   if (limits.radius) around.halfWidth = 1.6 * *limits.radius + room;
+  around.from = limits.from, around.to = limits.to;
   CylinderFit fit;
   for (int round = 0; round < rounds; ++round) {
     const auto frame = CylinderFrame::facing(surface.point, surface.direction, limits.endOn);
@@ -156,6 +176,7 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     const Vector3d local = frame->toLocal(tool);
     auto strip = cutStrip(patch, *frame, NearLine::of(*frame, surface), local, around);
     if (!strip) return refused(LoadFault::FewPoints);
+    if (round > 0) chooseStart(*strip, patch, *frame, fit);
     ViewedCylinder& cylinder = strip->guess;
     if (!refine(*strip, patch, limits.radius, cylinder)) return refused(LoadFault::PoorFit);
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
@@ -168,7 +189,7 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     }
     const Vector3d away = fit.centre - fit.axis * fit.axis.dot(fit.centre);
     surface = {fit.centre - away.normalized() * fit.radius, fit.axis};
-    around.halfWidth = std::min(limits.maxRadius, 1.6 * fit.radius + room);
+    around.halfWidth = 1.6 * fit.radius + room;
     around.from = -fit.arm[0] - limits.toolRadius - room;
     around.to = fit.arm[1] + limits.toolRadius + room;
   }

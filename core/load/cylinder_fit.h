@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "load/axis_search.h"
@@ -27,6 +28,9 @@ struct CylinderLimits {
   double minRadius, maxRadius;
   double endOn = 0.2;  ///< radians between axis and view below which its length is not seen
   std::optional<double> radius = {};  ///< where it is known
+  /// Along the start, from where it passes the tool: what lies beyond is not its own.
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
 };
 
 /// Fits a cylinder to what is seen along `start`, a line on its surface, without the tool: least

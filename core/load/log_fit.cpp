@@ -65,10 +65,17 @@ bool saysMore(const CylinderFit& fit, const CylinderFit& than) {
   return std::min(fit.shown[0], fit.shown[1]) > std::min(than.shown[0], than.shown[1]);
 }
 
+/// How well the place of an end along the axis is known: some pixels, and the less the more it
+/// points at the camera.
+double endWithin(const CylinderFit& log, const DepthPatch& patch) {
+  constexpr double least = 0.1, pixels = 3.0;
+  const double sine = log.axis.cross(log.centre.normalized()).norm();
+  return least + pixels * patch.pitch * log.centre.norm() / std::max(sine, 0.1);
+}
+
 /// Makes it as large as is known; the end that is seen stays where it is, and the other one must
 /// then be where it is hidden. False where that cannot be.
-bool giveSizes(CylinderFit& log, const Sizes& sizes) {
-  constexpr double within = 0.15;  // metres
+bool giveSizes(CylinderFit& log, const Sizes& sizes, double within) {
   const double missing = sizes.length - log.length;
   if (isWhole(log)) {
     if (std::abs(missing) > within) return false;
@@ -126,7 +133,7 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked, whole = isWhole(log);
   if (isLocked || !whole) {
     const bool fits = sizes && (isLocked || isAsThick(log, sizes->radius));
-    if (!fits || !giveSizes(log, *sizes)) return LoadDetection::refused(LoadFault::EndHidden);
+    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch))) return LoadDetection::refused(LoadFault::EndHidden);
   }
   return {boxOf(log), LoadFault::None, whole};
 }
@@ -134,13 +141,15 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
-  constexpr double endOn = 0.12;
+  constexpr double endOn = 0.12, room = 0.3;
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
   const double radius = expected.size.y() / 2.0;
+  const double middle = axis.dot(expected.centre - tool), half = expected.size.x() / 2.0 + room;
   CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis},
-                                {reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn, radius});
+                                {reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
+                                 radius, middle - half, middle + half});
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const Vector3d offset = expected.centre - log.centre;
   const double across = (offset - log.axis * log.axis.dot(offset)).norm();
@@ -155,10 +164,11 @@ LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
   const bool whole = isWhole(log);
   const Sizes sizes{expected.size.x(), radius};
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked;
-  if (whole && !isLocked && std::abs(log.length - sizes.length) < 0.15) {
+  const double within = endWithin(log, patch);
+  if (whole && !isLocked && std::abs(log.length - sizes.length) < within) {
     return {boxOf(log), LoadFault::None, isHeld(log, reaches)};
   }
-  if (!giveSizes(log, sizes)) return LoadDetection::refused(LoadFault::EndHidden);
+  if (!giveSizes(log, sizes, within)) return LoadDetection::refused(LoadFault::EndHidden);
   return {boxOf(log), LoadFault::None, false};
 }
 
