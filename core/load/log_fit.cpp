@@ -141,15 +141,16 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
-  constexpr double endOn = 0.12, room = 0.3;
+  constexpr double endOn = 0.12;
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
   const double radius = expected.size.y() / 2.0;
-  const double middle = axis.dot(expected.centre - tool), half = expected.size.x() / 2.0 + room;
-  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis},
-                                {reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
-                                 radius, middle - half, middle + half});
+  const Vector3d half = axis * expected.size.x() / 2.0;
+  const CylinderLimits limits{
+      reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
+      ExpectedCylinder{expected.centre - half, expected.centre + half, radius}};
+  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis}, limits);
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const Vector3d offset = expected.centre - log.centre;
   const double across = (offset - log.axis * log.axis.dot(offset)).norm();
