@@ -11,6 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double roughness = 0.03;  ///< metres by which a log is no cylinder
 constexpr double slack = 0.05;      ///< metres by which a whole slice may lie behind it
+constexpr double shared = 0.3;      ///< share of a point's noise that its neighbours have as well
 constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
 
 /// What the camera sees in a slice across the cylinder, along its near line.
@@ -41,8 +42,8 @@ SliceKind kindOf(const Slice& slice, double noise) {
   if (slice.on <= slice.behind) return SliceKind::Ended;
   const double mean = slice.sum / slice.on, allowed = slack * slice.q * slice.q;
   // Where the flat end faces the camera, it leaves the round surface backwards.
-  return mean < -(3.0 * noise / std::sqrt(double(slice.on)) + allowed) ? SliceKind::Ended
-                                                                       : SliceKind::On;
+  const double within = 3.0 * noise * std::sqrt(1.0 / slice.on + shared * shared);
+  return mean < -(within + allowed) ? SliceKind::Ended : SliceKind::On;
 }
 
 void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
@@ -142,7 +143,8 @@ class Walk {
         ++(kind == SliceKind::Ended ? ended : empty);
       }
       off += kind == SliceKind::Ended ? 1 : 0;
-      if (ended >= shortest || ended + empty >= longest) {
+      const int enough = end.on > 0 ? shortest : 4 * shortest;
+      if (ended >= enough || ended + empty >= longest) {
         // Before a sky that gives no depth an end is seen as well.
         end.seen = covered < shortest;
         return end;
