@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 #include "load/axis_search.h"
 #include "load/cylinder_fit.h"
@@ -44,9 +45,9 @@ OrientedBox boxOf(const CylinderFit& log) {
 
 /// On both sides of the tool, and seen there; a boom that passes the tool is not held by it.
 bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
-  constexpr double leastShown = 0.5, nearMiddle = 0.3;
+  constexpr double leastShown = 0.5, nearMiddle = 0.33;
   // The tool point lies on the tool's near side: of what points at the camera it is nearer that end.
-  constexpr double toolDepth = 0.25;
+  constexpr double toolDepth = 0.2;
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   const double shorter = std::min(fit.arm[0], fit.arm[1]) + reaches.cylinder.toolRadius;
   return std::min(fit.arm[0], fit.arm[1]) > reaches.leastArm &&
@@ -55,6 +56,26 @@ bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
 }
 
 bool isWhole(const CylinderFit& fit) { return fit.endSeen[0] && fit.endSeen[1]; }
+
+/// Whether the body goes on where the log ends, as a boom does at its joints.
+bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patch) {
+  constexpr double reach = 0.4, beside = 0.2, nearest = 0.08;  // metres beyond an end, or beside it
+  constexpr int stray = 8;                                     // cells
+  const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
+  std::array<int, 2> beyond{};
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    const Vector3d offset = body.points[i] - fit.centre;
+    const double along = fit.axis.dot(offset), past = std::abs(along) - fit.length / 2.0;
+    if (past < nearest || past > reach) continue;
+    const double z = body.points[i].z();
+    const double noise = patch.sigma[static_cast<std::size_t>(body.cells[i])] * z * z;
+    const double aside = (offset - along * fit.axis).norm();
+    if (past > nearest + 2.0 * noise * towards && aside < fit.radius + beside) {
+      ++beyond[along < 0.0 ? 0 : 1];
+    }
+  }
+  return std::max(beyond[0], beyond[1]) > stray;
+}
 
 /// What says more: that something is there, that it is seen from end to end, or more of it.
 bool saysMore(const CylinderFit& fit, const CylinderFit& than) {
@@ -124,7 +145,9 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
     if (!axis) break;
     CylinderFit fit = fitCylinder(patch, body.tool, *axis, reaches.cylinder);
     const bool isThere = fit.fault == LoadFault::None;
-    if (isThere && !isHeld(fit, reaches)) fit.fault = LoadFault::NoBody;
+    if (isThere && (!isHeld(fit, reaches) || goesOn(fit, body, patch))) {
+      fit.fault = LoadFault::NoBody;
+    }
     if (saysMore(fit, log)) log = fit;
     if (isThere) search.leaveOut(fit.centre, fit.axis, fit.length / 2.0, fit.radius);
   }
