@@ -119,6 +119,7 @@ class Walk {
   Followed follow(std::ptrdiff_t from, int step) const {
     const auto count = static_cast<std::ptrdiff_t>(m_cutting.slices.size());
     const int shortest = slicesOf(1.5 * m_patch.cell) + 1, longest = slicesOf(7.0 * m_patch.cell);
+    constexpr int fewest = 2;
     Followed end;
     end.u = end.farthest = m_cutting.middle(static_cast<std::size_t>(from));
     int ended = 0, empty = 0, covered = 0, off = 0;
@@ -135,6 +136,11 @@ class Walk {
         ++end.on;
         ended = empty = covered = 0;
         continue;
+      }
+      if (kind == SliceKind::Empty && !slice.inPicture && end.on > 0 && ended >= fewest &&
+          covered == 0) {
+        end.seen = true;  // just before the border
+        return end;
       }
       if (kind == SliceKind::Covered || (kind == SliceKind::Empty && !slice.inPicture)) {
         ++covered;

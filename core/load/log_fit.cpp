@@ -66,13 +66,12 @@ bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patc
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     const Vector3d offset = body.points[i] - fit.centre;
     const double along = fit.axis.dot(offset), past = std::abs(along) - fit.length / 2.0;
-    if (past < nearest || past > reach) continue;
-    const double z = body.points[i].z();
-    const double noise = patch.sigma[static_cast<std::size_t>(body.cells[i])] * z * z;
-    const double aside = (offset - along * fit.axis).norm();
-    if (past > nearest + 2.0 * noise * towards && aside < fit.radius + beside) {
-      ++beyond[along < 0.0 ? 0 : 1];
-    }
+    if (past < -nearest || past > reach) continue;
+    const double z = body.points[i].z(), aside = (offset - along * fit.axis).norm() - fit.radius;
+    const double noise = 2.0 * patch.sigma[static_cast<std::size_t>(body.cells[i])] * z * z;
+    const bool isPast = past > nearest + noise * towards && aside < beside;
+    const bool isAside = aside > nearest + noise && aside < reach;
+    if (isPast || isAside) ++beyond[along < 0.0 ? 0 : 1];
   }
   return std::max(beyond[0], beyond[1]) > stray;
 }
