@@ -113,8 +113,8 @@ struct Followed {
 /// Walks outwards from slice `from` in steps of `step`.
 class Walk {
  public:
-  Walk(const Slices& cutting, const DepthPatch& patch, double toolRadius)
-      : m_cutting(cutting), m_patch(patch), m_toolRadius(toolRadius) {}
+  Walk(const Slices& cutting, const DepthPatch& patch, const AlongRange& range)
+      : m_cutting(cutting), m_patch(patch), m_range(range) {}
 
   Followed follow(std::ptrdiff_t from, int step) const {
     const auto count = static_cast<std::ptrdiff_t>(m_cutting.slices.size());
@@ -126,7 +126,8 @@ class Walk {
     for (std::ptrdiff_t i = from; i >= 0 && i < count; i += step) {
       const Slice& slice = m_cutting.slices[static_cast<std::size_t>(i)];
       if (slice.q <= 0.0) break;
-      if (std::abs(slice.along) < m_toolRadius) continue;
+      if (slice.along < m_range.from || slice.along > m_range.to) break;
+      if (!m_range.holds(slice.along)) continue;
       const double outer =
           m_cutting.middle(static_cast<std::size_t>(i)) + step * m_cutting.width / 2.0;
       const SliceKind kind = kindOf(slice, m_patch.noise);
@@ -165,7 +166,7 @@ class Walk {
   }
   const Slices& m_cutting;
   const DepthPatch& m_patch;
-  double m_toolRadius;
+  const AlongRange& m_range;
 };
 
 /// Where the camera sees a slice's middle on the flat end at `along`: how much less its inverse
@@ -214,7 +215,8 @@ double CylinderEnds::alongAxis(const ViewedCylinder& cylinder, double u) {
 }
 
 CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
-                      const ViewedCylinder& cylinder, const Vector3d& tool, double toolRadius) {
+                      const ViewedCylinder& cylinder, const Vector3d& tool,
+                      const AlongRange& range) {
   const Slices cutting = cut(patch, frame, cylinder, tool);
   CylinderEnds ends;
   std::size_t from = 0;
@@ -224,7 +226,7 @@ CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
     if (slice.q > 0.0 && std::abs(slice.along) < least) from = i, least = std::abs(slice.along);
   }
   if (!std::isfinite(least)) return ends;
-  const Walk walk(cutting, patch, toolRadius);
+  const Walk walk(cutting, patch, range);
   const NearLine line = NearLine::of(cylinder);
   int on = 0, off = 0;
   for (const std::size_t side : {0U, 1U}) {

@@ -188,14 +188,17 @@ std::optional<Expected> expectedIn(const CylinderFrame& frame, const CylinderLim
 CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits) {
   constexpr int rounds = 2;
-  constexpr double leastFilled = 0.7, leastOutlined = 0.4, room = 0.1;
+  constexpr double leastFilled = 0.7, leastOutlined = 0.4;
+  constexpr double room = 0.1, beyond = 0.35;  // metres
   LoadAxis surface = start;
-  Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, limits.toolRadius};
+  Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, {limits.toolRadius}};
+  AlongRange range{limits.toolRadius};
   if (limits.expected) {
     const ExpectedCylinder& expected = *limits.expected;
     around.halfWidth = 1.6 * expected.radius + room;
-    around.from = start.direction.dot(expected.from - tool) - 3.0 * room;
-    around.to = start.direction.dot(expected.to - tool) + 3.0 * room;
+    range.from = start.direction.dot(expected.from - tool) - beyond;
+    range.to = start.direction.dot(expected.to - tool) + beyond;
+    around.along = range;
   }
   CylinderFit fit;
   for (int round = 0; round < rounds; ++round) {
@@ -209,7 +212,7 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     ViewedCylinder& cylinder = strip->guess;
     if (!refine(evidence, cylinder)) return refused(LoadFault::PoorFit);
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
-    const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, limits.toolRadius);
+    const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, range);
     fit = inCamera(*frame, cylinder, ends, local, limits.toolRadius);
     if (!(fit.length > shortestAspect * 2.0 * fit.radius)) return refused(LoadFault::NoBody);
     if (round + 1 == rounds && (!agrees(evidence, cylinder) || ends.filled < leastFilled ||
@@ -219,8 +222,8 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     const Vector3d away = fit.centre - fit.axis * fit.axis.dot(fit.centre);
     surface = {fit.centre - away.normalized() * fit.radius, fit.axis};
     around.halfWidth = 1.6 * fit.radius + room;
-    around.from = -fit.arm[0] - limits.toolRadius - room;
-    around.to = fit.arm[1] + limits.toolRadius + room;
+    around.along.from = -fit.arm[0] - limits.toolRadius - room;
+    around.along.to = fit.arm[1] + limits.toolRadius + room;
   }
   return fit;
 }

@@ -74,8 +74,7 @@ class Cutter {
     for (std::size_t i = 0; i < count; ++i) {
       const double u = middle(i);
       if (!(line.q(u) > 0.0)) continue;
-      const double along = direction.dot(line.at(u) - tool);
-      m_open[i] = std::abs(along) > limits.toolRadius && along > limits.from && along < limits.to;
+      m_open[i] = limits.along.holds(direction.dot(line.at(u) - tool));
     }
   }
 
