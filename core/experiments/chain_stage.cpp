@@ -69,7 +69,8 @@ YardKind kindAt(const Frame& frame, const Vector3d& p) {
   return kind;
 }
 
-std::optional<double> lesser(const std::optional<YardApproach>& a, const std::optional<YardApproach>& b) {
+std::optional<double> lesser(const std::optional<YardApproach>& a,
+                             const std::optional<YardApproach>& b) {
   if (!a && !b) return std::nullopt;
   if (!a || !b) return (a ? a : b)->pair.distance;
   return std::min(a->pair.distance, b->pair.distance);
