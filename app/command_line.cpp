@@ -38,9 +38,10 @@ void addOptions(QCommandLineParser& parser) {
     parser.addOption(
         QCommandLineOption(QString::fromLatin1(name), description, QString::fromLatin1(value)));
   };
-  option("source", "ADDRESS",
-         tr("stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT, demo:yard, demo:floor, "
-            "demo:cylinders or demo:wall"));
+  option(
+      "source", "ADDRESS",
+      tr("stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT, demo:yard, demo:floor, "
+         "demo:cylinders or demo:wall"));
   option("calibration", "FILE", tr("Stereo calibration, when it does not lie with the recording"));
   option("headless", "", tr("Run without a window; one JSON line a frame"));
   option("frames", "N", tr("Stop after N frames"));

@@ -103,6 +103,10 @@
         <source>Demo: forestry y&amp;ard</source>
         <translation>Demo: &amp;Holzplatz</translation>
     </message>
+    <message>
+        <source>&amp;Map...</source>
+        <translation>&amp;Karte...</translation>
+    </message>
 </context>
 <context>
     <name>Panes</name>
@@ -789,6 +793,54 @@
         <source>Longer without seeing the load that is detected, and there is no distance</source>
         <translation>Wird die erkannte Last länger nicht gesehen, gibt es keinen Abstand</translation>
     </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>parallel: columns along z (the thesis&apos;s); perspective: image rays, no gap behind near things; there a cell is resolution wide at half of z_max</source>
+        <translation>parallel: Säulen entlang z (wie in der Arbeit); perspective: Bildstrahlen, keine Lücke hinter nahen Dingen; eine Zelle ist dann bei halbem z_max so breit wie die Auflösung</translation>
+    </message>
+    <message>
+        <source>Unknown space</source>
+        <translation>Unbekannter Raum</translation>
+    </message>
+    <message>
+        <source>ignore: as if it were free (the thesis&apos;s); show: said and drawn, and too little seen is no distance; solid: what was never seen counts as an obstacle</source>
+        <translation>ignore: als wäre er frei (wie in der Arbeit); show: wird gesagt und gezeichnet, und zu wenig Gesehenes ist kein Abstand; solid: was nie gesehen wurde, zählt als Hindernis</translation>
+    </message>
+    <message>
+        <source>Smallest thing</source>
+        <translation>Kleinstes Ding</translation>
+    </message>
+    <message>
+        <source>What is smaller from corner to corner is drawn but does not count; 0 counts all</source>
+        <translation>Was von Ecke zu Ecke kleiner ist, wird gezeichnet, zählt aber nicht; 0 zählt alles</translation>
+    </message>
+    <message>
+        <source>Watched</source>
+        <translation>Überwacht</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the load</source>
+        <translation>Den Abstand von der Last überwachen</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the tool that is followed</source>
+        <translation>Den Abstand vom verfolgten Werkzeug überwachen</translation>
+    </message>
+    <message>
+        <source>Boom</source>
+        <translation>Ausleger</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the boom&apos;s segments, as far as they are seen</source>
+        <translation>Den Abstand von den Teilen des Auslegers überwachen, soweit sie zu sehen sind</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>
@@ -1095,6 +1147,30 @@
         <source>load</source>
         <translation>Last</translation>
     </message>
+    <message>
+        <source>Tool not seen</source>
+        <translation>Werkzeug nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>Tool or boom are watched, but not found in the cloud. Track the tool, or watch the load alone.</source>
+        <translation>Werkzeug oder Ausleger werden überwacht, sind aber in der Wolke nicht zu finden. Das Werkzeug verfolgen, oder nur die Last überwachen.</translation>
+    </message>
+    <message>
+        <source>boom %1</source>
+        <translation>Ausleger %1</translation>
+    </message>
+    <message>
+        <source>boom</source>
+        <translation>Ausleger</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing in range</source>
+        <translation>%1: nichts in Reichweite</translation>
+    </message>
 </context>
 <context>
     <name>ToolOverlay</name>
@@ -1271,6 +1347,18 @@ Rechtsklick oder Escape: vergessen.</translation>
         <source>contact in %1 s</source>
         <translation>Berührung in %1 s</translation>
     </message>
+    <message>
+        <source>to space never seen</source>
+        <translation>zu nie gesehenem Raum</translation>
+    </message>
+    <message>
+        <source>of the %1</source>
+        <translation>vom %1</translation>
+    </message>
+    <message>
+        <source>evidence %1 %</source>
+        <translation>Beleg %1 %</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::HelpDialog</name>
@@ -1382,6 +1470,10 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>There is no model yet.</source>
         <translation>Es gibt noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>too small to count</source>
+        <translation>zu klein, um zu zählen</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1726,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Calibrations (*.yaml *.yml *.xml *.txt);;All files (*)</source>
         <translation>Kalibrierungen (*.yaml *.yml *.xml *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A height or depth map: an ASCII grid, or a YAML file about one</source>
+        <translation>Eine Höhen- oder Tiefenkarte: ein ASCII-Gitter, oder eine YAML-Datei darüber</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Maps (*.asc *.yaml *.yml)</source>
+        <translation>Karten (*.asc *.yaml *.yml)</translation>
     </message>
 </context>
 <context>

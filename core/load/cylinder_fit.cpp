@@ -111,60 +111,59 @@ CylinderFit refused(LoadFault fault) {
   return fit;
 }
 
-/// On both sides, as found now that its ends are known.
-bool reachesOut(const CylinderFit& fit, const Vector3d& tool, const CylinderLimits& limits) {
-  const double along = fit.axis.dot(tool - fit.centre);
-  const double off2 = (tool - fit.centre - along * fit.axis).squaredNorm();
-  const double rim = std::sqrt(std::max(0.0, limits.toolRadius * limits.toolRadius - off2));
-  return fit.length / 2.0 - std::abs(along) > rim + limits.leastArm;
-}
-
+/// On what is seen of it, in the camera's frame.
 CylinderFit inCamera(const CylinderFrame& frame, const ViewedCylinder& cylinder,
-                     const CylinderEnds& ends) {
+                     const CylinderEnds& ends, const Vector3d& tool, double toolRadius) {
   CylinderFit fit;
-  const double from = CylinderEnds::alongAxis(cylinder, ends.u[0]);
-  const double to = CylinderEnds::alongAxis(cylinder, ends.u[1]);
+  const std::array<double, 2> at{CylinderEnds::alongAxis(cylinder, ends.u[0]),
+                                 CylinderEnds::alongAxis(cylinder, ends.u[1])};
+  const double foot = cylinder.direction().dot(tool - cylinder.pointA());
   fit.axis = frame.toCamera(cylinder.direction());
-  fit.centre = frame.toCamera(cylinder.pointA()) + fit.axis * (from + to) / 2.0;
-  fit.length = to - from;
+  fit.centre = frame.toCamera(cylinder.pointA()) + fit.axis * (at[0] + at[1]) / 2.0;
+  fit.length = at[1] - at[0];
   fit.radius = cylinder.radius();
   fit.endSeen = ends.seen;
+  const double scale = fit.length / std::max(1e-9, ends.u[1] - ends.u[0]);
+  for (const std::size_t side : {0U, 1U}) {
+    const double outwards = side == 0 ? -1.0 : 1.0;
+    fit.arm[side] = outwards * (at[side] - foot) - toolRadius;
+    fit.shown[side] = ends.shown[side] * scale;
+    fit.hidden[side] =
+        outwards * (CylinderEnds::alongAxis(cylinder, ends.farthest[side]) - at[side]);
+  }
   return fit;
 }
 
 }  // namespace
 
-CylinderFit fitCylinder(const DepthPatch& patch, const LoadBody& body, const LoadAxis& start,
+CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits) {
-  constexpr int rounds = 3;
-  constexpr double leastFilled = 0.5, mostThrough = 0.2;
-  Vector3d point = start.point, direction = start.direction;
-  Strip::Limits around{limits.maxRadius, std::numeric_limits<double>::infinity(),
-                       limits.toolRadius};
+  constexpr int rounds = 2;
+  constexpr double leastFilled = 0.7, leastOutlined = 0.4, room = 0.1;
+  LoadAxis surface = start;
+  Strip::Limits around{limits.maxRadius, limits.maxRadius, limits.toolRadius};
   CylinderFit fit;
   for (int round = 0; round < rounds; ++round) {
-    const auto frame = CylinderFrame::facing(point, direction, endOn);
+    const auto frame = CylinderFrame::facing(surface.point, surface.direction, endOn);
     if (!frame) return refused(LoadFault::EndOn);
-    auto strip = cutStrip(patch, body, *frame, {point, direction}, around);
+    const Vector3d local = frame->toLocal(tool);
+    auto strip = cutStrip(patch, *frame, NearLine::of(*frame, surface), local, around);
     if (!strip) return refused(LoadFault::FewPoints);
     ViewedCylinder& cylinder = strip->guess;
     if (!refine(*strip, patch, cylinder)) return refused(LoadFault::PoorFit);
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
-    const Vector3d tool(body.tool.dot(frame->view), body.tool.dot(frame->along),
-                        body.tool.dot(frame->across));
-    const CylinderEnds ends = findEnds(patch, *frame, cylinder, tool, limits.toolRadius);
-    fit = inCamera(*frame, cylinder, ends);
-    if (!(fit.length > shortestAspect * 2.0 * fit.radius) || !reachesOut(fit, body.tool, limits)) {
-      return refused(LoadFault::NoBody);
-    }
-    point = fit.centre, direction = fit.axis;
-    around.halfWidth = std::min(limits.maxRadius, 2.0 * fit.radius);
-    around.halfLength = fit.length / 2.0;
-    if (round + 1 < rounds) continue;
-    if (!agrees(*strip, patch, cylinder) || ends.filled < leastFilled ||
-        ends.through > mostThrough) {
+    const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, limits.toolRadius);
+    fit = inCamera(*frame, cylinder, ends, local, limits.toolRadius);
+    if (!(fit.length > shortestAspect * 2.0 * fit.radius)) return refused(LoadFault::NoBody);
+    if (round + 1 == rounds && (!agrees(*strip, patch, cylinder) || ends.filled < leastFilled ||
+                                strip->outlined < leastOutlined)) {
       return refused(LoadFault::PoorFit);
     }
+    const Vector3d away = fit.centre - fit.axis * fit.axis.dot(fit.centre);
+    surface = {fit.centre - away.normalized() * fit.radius, fit.axis};
+    around.halfWidth = std::min(limits.maxRadius, 1.6 * fit.radius + room);
+    around.from = -fit.arm[0] - limits.toolRadius - room;
+    around.to = fit.arm[1] + limits.toolRadius + room;
   }
   return fit;
 }

@@ -67,7 +67,7 @@ LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, doub
       correct(seen, passed);
       m_pose->stamp = stamp;
     }
-    if (isSeen) learn(seen.size, stamp, parameters);
+    if (isSeen && (detection.isWhole || m_learnt.empty())) learn(seen.size, stamp, parameters);
   }
   if (!m_pose) return {};
   const double age = stamp - m_pose->stamp;
@@ -75,6 +75,11 @@ LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, doub
 }
 
 void LoadFollower::reset() { *this = LoadFollower(); }
+
+std::optional<OrientedBox> LoadFollower::expected(double stamp, double maxAge) const {
+  if (!m_pose || stamp < m_pose->stamp || stamp - m_pose->stamp > maxAge) return std::nullopt;
+  return boxAt(stamp - m_pose->stamp);
+}
 
 /// Farther than a swinging load and the noise of its pose can take it.
 bool LoadFollower::jumps(const OrientedBox& seen, double passed) const {

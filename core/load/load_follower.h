@@ -24,6 +24,9 @@ class LoadFollower {
                   double maxAge);
   void reset();
 
+  /// Where the load is by `stamp` if it moves on as it did. Absent when there is none to follow.
+  std::optional<OrientedBox> expected(double stamp, double maxAge) const;
+
  private:
   bool jumps(const OrientedBox& seen, double passed) const;
   void begin(const OrientedBox& seen, double stamp);

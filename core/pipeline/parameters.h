@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/bounds.h"
+#include "frame/model_projection.h"
 #include "frame/oriented_box.h"
 
 namespace boomwatch {
@@ -15,6 +16,8 @@ enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
+/// What is done about space that was never seen; see ClearanceParameters.
+enum class UnknownSpace { Ignore, Show, Solid };
 enum class LoadSource { Scene, Manual, Detected };
 enum class LoadShape { Cylinder, Box, Auto };
 enum class LoadDimensions { Learnt, Locked };
@@ -66,6 +69,7 @@ struct ModelParameters {
   double logOddsLow = 0.12;     ///< log-odds: the least that a hit starts from
   double logOddsHigh = 0.97;    ///< log-odds: the most that hits lead to
   int memoryLimit = 1024;       ///< megabytes the model may take
+  ModelProjection projection = ModelProjection::Parallel;  ///< see GridGeometry
 };
 
 /// The search for the nearest thing (method.md section 7).
@@ -74,6 +78,20 @@ struct ClearanceParameters {
   int interval = 8;     ///< I: cells between search rays
   int radius = 70;      ///< L: length of a search ray, cells
   double range = 10.0;  ///< metres beyond which `exact` says "nothing in range"
+  /// Ignore: as if it were free, however little was seen (the thesis's). Show: its share is part of
+  /// the result, and below min_observed there is no distance. Solid: as an obstacle; see
+  /// ExactClearance. What boom, tool and load hide at the moment is exempt.
+  UnknownSpace unknownSpace = UnknownSpace::Show;
+  /// Metres: pieces of the model that are smaller from corner to corner are drawn, but do not
+  /// count.
+  double smallestThing = 0.1;
+};
+
+/// From what the distance is watched; the smallest leads.
+struct WatchParameters {
+  bool load = true;
+  bool tool = false;  ///< what is within load_tool_size / 2 of the tool point
+  bool boom = false;  ///< the rest of the tool's cluster, in segments
 };
 
 /// When each level begins, and when it ends. Metres, seconds.
@@ -135,6 +153,7 @@ struct Parameters {
   FilterParameters filter;
   ModelParameters model;
   ClearanceParameters clearance;
+  WatchParameters watch;
   WarningParameters warning;
   StereoParameters stereo;
   LoadParameters load;
