@@ -110,6 +110,16 @@ class TestChainScore : public QObject {
     QCOMPARE(falseAlarms(frames, limits).size(), std::size_t{1});
   }
 
+  void aLoadThatBrakesWasFast() {
+    auto frames = sequence(80, 1.8, WarningLevel::Caution);
+    for (std::size_t k = 20; k < 30; ++k) frames[k].speed = 1.76;
+    // The speed counts for half a second, and a warning may linger for 0.65 s more.
+    setLevel(frames, 20, 52, WarningLevel::Warning);
+    QVERIFY(falseAlarms(frames, limits).empty());
+    setLevel(frames, 53, 53, WarningLevel::Warning);
+    QCOMPARE(falseAlarms(frames, limits).size(), std::size_t{1});
+  }
+
   void aWarningMayLinger() {
     auto frames = sequence(80, 2.0, WarningLevel::Caution);
     for (std::size_t k = 20; k < 30; ++k) frames[k].truth = 0.8;
