@@ -126,6 +126,10 @@
         <source>Environment model</source>
         <translation>Umgebungsmodell</translation>
     </message>
+    <message>
+        <source>Distance against time</source>
+        <translation>Abstand über der Zeit</translation>
+    </message>
 </context>
 <context>
     <name>Parameters</name>
@@ -1358,6 +1362,49 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>evidence %1 %</source>
         <translation>Beleg %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::DistancePlot</name>
+    <message>
+        <source>time (s), 0 is now</source>
+        <translation>Zeit (s), 0 ist jetzt</translation>
+    </message>
+    <message>
+        <source>distance (m)</source>
+        <translation>Abstand (m)</translation>
+    </message>
+    <message>
+        <source>caution</source>
+        <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>reported</source>
+        <translation>gemeldet</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>reported: %1</source>
+        <translation>gemeldet: %1</translation>
+    </message>
+    <message>
+        <source>nothing in range</source>
+        <translation>nichts in Reichweite</translation>
+    </message>
+    <message>
+        <source>truth: %1</source>
+        <translation>wahr: %1</translation>
     </message>
 </context>
 <context>

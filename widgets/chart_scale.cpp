@@ -36,6 +36,11 @@ ChartScale::ChartScale(const Axis& axis, double low, double high)
   } else if (!(m_high - m_low > 1e-9 * std::max(1.0, std::abs(m_low)))) {
     m_high = m_low + 1.0;
   }
+  if (m_logarithmic) return;
+  // Up to the next tick, unless the axis says where it ends.
+  const double step = stepFor(m_high - m_low);
+  if (!axis.low) m_low = std::floor(m_low / step + 1e-9) * step;
+  if (!axis.high) m_high = std::ceil(m_high / step - 1e-9) * step;
 }
 
 double ChartScale::shareOf(double value) const {

@@ -15,8 +15,8 @@ class ChartScale {
     QString text;  ///< empty: a small one
   };
 
-  /// Shows low..high, or what the axis itself says; a span of nothing is widened. A logarithmic
-  /// axis begins above 0.
+  /// Shows low..high and a little more, up to a tick, or what the axis itself says; a span of
+  /// nothing is widened. A logarithmic axis begins above 0.
   ChartScale(const Axis& axis, double low, double high);
 
   double low() const { return m_low; }

@@ -40,9 +40,11 @@ std::string definitions(const ExperimentSetup& setup) {
          std::to_string(setup.firstSeed + setup.sequences - 1) + ", " +
          std::to_string(setup.framesOfAYard()) +
          " frames each, 20 a second, with a person, swaying branches, birds and falling leaves "
-         "(`demo:yard,path=random,seed=N,frames=M`). The same frames go through four stages of the "
-         "chain: exact points; depth with the noise of 0.2 pixels of disparity; the stereo pair; "
-         "these three with the load and the tool's true box given; and the stereo pair with the "
+         "(`demo:yard,path=random,seed=N,frames=M`). The same frames go through six stages: exact "
+         "points, and depth with the noise of 0.2 pixels of disparity, both with crane, tool and "
+         "load taken out pixel by pixel as the simulation knows them; the whole chain on the same "
+         "points, on the same depth and on the stereo pair, with the load and the tool's true box "
+         "given; and the stereo pair with the "
          "tool tracked from its first box and the load detected. The first " +
          fixedText(warmUp, 1) + " s of each sequence are not judged.\n\n" +
          "**Missed**: something that has its place and that the camera sees in this frame is at "
@@ -54,7 +56,8 @@ std::string definitions(const ExperimentSetup& setup) {
          fixedText(warning.releaseDelay + promptly, 2) +
          " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
          " and than the load goes in " + fixedText(warning.warningTime, 1) +
-         " s, and the deadband of " + metres(warning.deadband) +
+         " s at the fastest speed of the last half second, and the deadband of " +
+         metres(warning.deadband) +
          " more. Two less than half a second apart are one. Without a false alarm the number in "
          "brackets is what can be excluded with 95 % certainty: three divided by the hours.";
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "collision/approach.h"
+
 namespace boomwatch {
 namespace {
 
@@ -30,9 +32,15 @@ std::vector<AlarmFault> stretches(std::span<const ChainFrame> frames, double apa
   return found;
 }
 
-bool isOutside(const ChainFrame& frame, const WarningParameters& warning) {
-  const double zone = std::max(warning.warningDistance, frame.speed * warning.warningTime);
-  return frame.nearest() > zone + warning.deadband;
+bool isOutside(std::span<const ChainFrame> frames, std::size_t k,
+               const WarningParameters& warning) {
+  double speed = 0.0;
+  for (std::size_t j = k + 1; j-- > 0;) {
+    if (frames[k].stamp - frames[j].stamp > LoadMotion::window + tick) break;
+    speed = std::max(speed, frames[j].speed);
+  }
+  const double zone = std::max(warning.warningDistance, speed * warning.warningTime);
+  return frames[k].nearest() > zone + warning.deadband;
 }
 
 }  // namespace
@@ -60,8 +68,9 @@ std::vector<AlarmFault> falseAlarms(std::span<const ChainFrame> frames,
   const double memory = warning.releaseDelay + promptly;
   std::optional<double> lastInside;
   std::vector<bool> isFalse;
-  for (const ChainFrame& frame : frames) {
-    if (!isOutside(frame, warning)) lastInside = frame.stamp;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const ChainFrame& frame = frames[k];
+    if (!isOutside(frames, k, warning)) lastInside = frame.stamp;
     const bool forgotten = !lastInside || frame.stamp - *lastInside > memory + tick;
     isFalse.push_back(warns(frame) && forgotten);
   }

@@ -49,8 +49,9 @@ std::vector<AlarmFault> missedAlarms(std::span<const ChainFrame> frames,
 
 /// False alarms: the level is Warning or Collision although everything (also what moves, and what
 /// is not seen) is and was, for the release delay and `promptly` more, farther away than
-/// warning_distance and than the load goes in warning_time, and the deadband more. Two of them less
-/// than half a second apart are one.
+/// warning_distance and than the load goes in warning_time at the fastest speed of the last half
+/// second (over which its velocity is measured), and the deadband more. Two of them less than half
+/// a second apart are one.
 std::vector<AlarmFault> falseAlarms(std::span<const ChainFrame> frames,
                                     const WarningParameters& warning);
 

@@ -69,7 +69,8 @@ YardKind kindAt(const Frame& frame, const Vector3d& p) {
   return kind;
 }
 
-std::optional<double> lesser(const std::optional<YardApproach>& a, const std::optional<YardApproach>& b) {
+std::optional<double> lesser(const std::optional<YardApproach>& a,
+                             const std::optional<YardApproach>& b) {
   if (!a && !b) return std::nullopt;
   if (!a || !b) return (a ? a : b)->pair.distance;
   return std::min(a->pair.distance, b->pair.distance);
@@ -84,6 +85,10 @@ Parameters parametersOf(ChainKind kind, Parameters parameters) {
 
 std::string_view nameOf(ChainKind kind) {
   switch (kind) {
+    case ChainKind::MaskedCloud:
+      return "exact mask, exact points";
+    case ChainKind::MaskedDepth:
+      return "exact mask, noisy depth";
     case ChainKind::TruthCloud:
       return "truth cloud";
     case ChainKind::NoisyDepth:
@@ -122,7 +127,7 @@ FramePtr ChainStage::sensed(const FramePtr& frame) const {
   auto made = std::make_shared<Frame>(*frame);
   const YardTruth& yard = *frame->truth->yard;
   cv::Mat depth = yard.depth.clone();
-  if (m_kind == ChainKind::NoisyDepth) {
+  if (m_kind == ChainKind::NoisyDepth || m_kind == ChainKind::MaskedDepth) {
     addDepthNoise(depth, depthNoise, yard.depthTimesDisparity,
                   depthNoiseStream(m_seed, frame->sequence));
     roundToMillimetres(depth);
@@ -144,13 +149,19 @@ void ChainStage::showTool(const Frame& frame) {
   }
 }
 
-void ChainStage::process(const FramePtr& frame, const ChainFrame& truth) {
+MaskedChain::Outcome ChainStage::look(const FramePtr& frame) {
+  if (isMasked()) return m_masked.process(*sensed(frame), m_parameters);
   showTool(*frame);
   const Result result = m_pipeline.process(sensed(frame), m_parameters);
+  return {result.clearance, result.level};
+}
+
+void ChainStage::process(const FramePtr& frame, const ChainFrame& truth) {
+  const MaskedChain::Outcome outcome = look(frame);
   ChainFrame seen = truth;
-  seen.level = result.level;
-  seen.reason = result.clearance.reason;
-  if (const auto& nearest = result.clearance.nearest) {
+  seen.level = outcome.level;
+  seen.reason = outcome.clearance.reason;
+  if (const auto& nearest = outcome.clearance.nearest) {
     seen.reported = nearest->distance;
     seen.blamed = kindAt(*frame, nearest->onEnvironment);
   }

@@ -26,33 +26,40 @@ Scene sceneWithBoxAt(double z) {
   return scene;
 }
 
-EnvironmentModel modelOf(const Cloud& cloud, const Parameters& parameters) {
-  Bounds bounds = parameters.bounds;
-  bounds.xMin = bounds.yMin = -2.0;
-  bounds.xMax = bounds.yMax = 2.0;
-  bounds.zMin = 0.0;
-  bounds.zMax = 5.0;
-  EnvironmentModel model(GridGeometry(bounds, parameters.model.resolution));
-  for (int frame = 0; frame < frames; ++frame) model.update(cloud.points, parameters.model);
+EnvironmentModel modelOf(const Cloud& cloud, const ModelParameters& parameters,
+                         ModelProjection projection) {
+  EnvironmentModel model(GridGeometry({-2, 2, -2, 2, 0, 5}, parameters.resolution, projection));
+  for (int frame = 0; frame < frames; ++frame) model.update(cloud.points, parameters);
   return model;
 }
 
-/// Width in metres of what was never observed, in the row through the box's middle.
-double gapIn(const EnvironmentModel& model) {
-  const GridGeometry& geometry = model.geometry();
-  const int row = geometry.rowOf(0.1);
-  int never = 0;
-  for (int column = geometry.columnOf(boxLeft); column < geometry.columns(); ++column) {
-    never += model.state(column, row) == CellState::NeverObserved;
-  }
-  return never * geometry.resolution();
+cv::Mat sized(const cv::Mat& picture) {
+  cv::Mat large;
+  const int width = 400 * picture.cols / picture.rows;
+  cv::resize(picture, large, {width, 400}, 0, 0, cv::INTER_NEAREST);
+  return large;
 }
 
-/// Where the ray past the box's far edge meets the wall, from that edge, as the model sees it. On
-/// the near side the box covers what it hides.
-double expectedGap(double z) {
+/// Width, on the wall, of what was never observed beside a box at `z`, in the row through its
+/// middle, as far as the picture and the bounds go.
+double gapIn(const EnvironmentModel& model, double z) {
+  const GridGeometry& geometry = model.geometry();
+  const double onWall = geometry.toPlane(wallZ), onBox = geometry.toPlane(z);
+  const int row = geometry.rowOf(0.1 * onBox);
+  const int last = std::min(geometry.columns() - 1, geometry.columnOf(2.0 * onWall));
+  int never = 0;
+  for (int column = geometry.columnOf(boxLeft * onBox); column <= last; ++column) {
+    never += model.state(column, row) == CellState::NeverObserved;
+  }
+  return never * geometry.resolution() / onWall;
+}
+
+/// From the box's far edge, as the model has it, to where the ray past that edge meets the wall. On
+/// the near side the box covers what it hides; and along rays nothing else is hidden at all.
+double expectedGap(double z, ModelProjection projection) {
   const double edge = boxLeft + boxWidth;
-  return edge * wallZ / z - edge;
+  if (projection == ModelProjection::Perspective) return 0.0;
+  return std::min(edge * wallZ / z, 2.0) - edge;
 }
 
 }  // namespace
@@ -65,22 +72,28 @@ std::optional<Chapter> runGapExperiment(const ExperimentSetup& setup,
               {},
               1};
   Picture picture{"gap_behind_near_objects",
-                  "As in Fig. 17: what the camera sees (left), and the environment model (right); "
-                  "nearer is brighter, stripes were never observed. The box at 1.5 m.",
+                  "As in Fig. 17: what the camera sees (left), the environment model of parallel "
+                  "columns (middle), and of rays (right); nearer is brighter, stripes were never "
+                  "observed. The box at 1.5 m.",
                   {}};
   constexpr double places[] = {1.5, 2.0, 2.5, 3.0, 3.5};
+  constexpr std::pair<ModelProjection, const char*> projections[] = {
+      {ModelProjection::Parallel, "parallel (the thesis's)"},
+      {ModelProjection::Perspective, "perspective"}};
+  std::vector<cv::Mat> pictures;
   std::size_t done = 0;
   for (const double z : places) {
     const PinholeView view = lookAt(sceneWithBoxAt(z));
-    const EnvironmentModel model = modelOf(*view.cloud, setup.parameters);
-    table.rows.push_back({"orthographic (the thesis's)", fixedText(z, 1),
-                          fixedText(std::min(expectedGap(z), 2.0 - boxLeft - boxWidth), 2),
-                          fixedText(gapIn(model), 2)});
-    if (picture.image.empty()) {
-      cv::Mat seen, cells;
+    for (const auto& [projection, name] : projections) {
+      const EnvironmentModel model = modelOf(*view.cloud, setup.parameters.model, projection);
+      table.rows.push_back({name, fixedText(z, 1), fixedText(expectedGap(z, projection), 2),
+                            fixedText(gapIn(model, z), 2)});
+      if (done == 0) pictures.push_back(sized(modelPicture(model)));
+    }
+    if (done == 0) {
+      cv::Mat seen;
       cv::resize(view.image, seen, {533, 400}, 0, 0, cv::INTER_AREA);
-      cv::resize(modelPicture(model), cells, {400, 400}, 0, 0, cv::INTER_NEAREST);
-      picture.image = besideEachOther(seen, cells);
+      picture.image = besideEachOther(seen, besideEachOther(pictures[0], pictures[1]));
     }
     if (!progress(static_cast<double>(++done) / std::size(places))) return std::nullopt;
   }

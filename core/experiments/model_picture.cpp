@@ -1,6 +1,6 @@
 #include "experiments/model_picture.h"
 
-#include <array>
+#include <opencv2/imgproc.hpp>
 
 namespace boomwatch {
 namespace {
@@ -37,6 +37,12 @@ cv::Mat probabilityPicture(const EnvironmentModel& model) {
     const double share = std::min(1.0, static_cast<double>(model.probabilities()[k]));
     return static_cast<std::uint8_t>(freeGrey + share * (255 - freeGrey));
   });
+}
+
+cv::Mat enlarged(const cv::Mat& picture, int times) {
+  cv::Mat large;
+  cv::resize(picture, large, {}, times, times, cv::INTER_NEAREST);
+  return large;
 }
 
 cv::Mat besideEachOther(const cv::Mat& left, const cv::Mat& right) {

@@ -13,6 +13,9 @@ cv::Mat modelPicture(const EnvironmentModel& model);
 /// The probability map as Fig. 13 prints it: more probable is brighter.
 cv::Mat probabilityPicture(const EnvironmentModel& model);
 
+/// `times` as large, with sharp edges.
+cv::Mat enlarged(const cv::Mat& picture, int times);
+
 /// Pictures of one height side by side.
 cv::Mat besideEachOther(const cv::Mat& left, const cv::Mat& right);
 

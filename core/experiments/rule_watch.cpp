@@ -41,7 +41,8 @@ CellTruth::CellTruth(const GridGeometry& geometry, const Frame& frame)
       if (kind == YardKind::Nothing || isCrane(kind) || !std::isfinite(z)) continue;
       const Eigen::Vector3d p = z * camera.ray(u, v);
       if (!geometry.bounds().contains(p.cast<float>())) continue;
-      const int column = geometry.columnOf(p.x()), row = geometry.rowOf(p.y());
+      const Eigen::Vector2d q = geometry.onPlane(p);
+      const int column = geometry.columnOf(q.x()), row = geometry.rowOf(q.y());
       if (!geometry.contains(column, row)) continue;
       const std::size_t k = geometry.index(column, row);
       const std::uint8_t level = geometry.levelOf(z);

@@ -22,6 +22,15 @@ std::optional<double> distanceOf(const Clearance& clearance) {
   return clearance.nearest ? std::optional(clearance.nearest->distance) : std::nullopt;
 }
 
+/// A frame of the path as if those between were never there: a jump in time would begin the model
+/// anew.
+FramePtr nextOnPath(const Frame& frame, std::size_t number) {
+  auto next = std::make_shared<Frame>(frame);
+  next->sequence = number;
+  next->stamp = static_cast<double>(number) * 0.05;
+  return next;
+}
+
 /// The whole path of a demo's load, every `stride`th frame; empty when the progress said no.
 std::vector<Place> pathOf(const std::string& demo, std::size_t stride, const Parameters& given,
                           const std::function<bool(double)>& progress) {
@@ -31,13 +40,16 @@ std::vector<Place> pathOf(const std::string& demo, std::size_t stride, const Par
   parameters.load.source = LoadSource::Scene;
   Pipeline pipeline;
   // The load is in the picture only: the surroundings are learnt before it sets out.
-  for (int k = 0; k < 8; ++k) pipeline.process(source->next({}).frame, parameters);
+  std::size_t number = 0;
+  for (; number < 8; ++number) {
+    pipeline.process(nextOnPath(*source->next({}).frame, number), parameters);
+  }
   std::vector<Place> path;
   const std::size_t all = source->info().frameCount.value_or(0);
   for (std::size_t index = 0; index < all; index += stride) {
     source->seek(index);
     const FramePtr frame = source->next({}).frame;
-    const Result result = pipeline.process(frame, parameters);
+    const Result result = pipeline.process(nextOnPath(*frame, number++), parameters);
     const Clearance rays = rayClearance(pipeline.model(), *frame->load,
                                         parameters.clearance.interval, parameters.clearance.radius);
     path.push_back({frame->stamp, frame->truth->distance,

@@ -25,8 +25,8 @@ using AllFigures = std::array<RuleWatch::Figures, rules.size()>;
 std::vector<bool> cellsOf(const GridGeometry& geometry, const Points& points) {
   std::vector<bool> cells(geometry.cellCount());
   for (const Eigen::Vector3f& p : points) {
-    const int column = geometry.columnOf(static_cast<double>(p.x()));
-    const int row = geometry.rowOf(static_cast<double>(p.y()));
+    const Eigen::Vector2d q = geometry.onPlane(p.cast<double>());
+    const int column = geometry.columnOf(q.x()), row = geometry.rowOf(q.y());
     if (geometry.contains(column, row)) cells[geometry.index(column, row)] = true;
   }
   return cells;
@@ -40,7 +40,8 @@ bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentP
   const auto source = openDemoSource(demo, "demo:" + demo);
   Parameters parameters = setup.parameters;
   parameters.load.source = LoadSource::Scene;
-  const GridGeometry geometry(parameters.bounds, parameters.model.resolution);
+  const GridGeometry geometry(parameters.bounds, parameters.model.resolution,
+                              parameters.model.projection);
   std::vector<EnvironmentModel> models(rules.size(), EnvironmentModel(geometry));
   std::vector<RuleWatch> watches(rules.size(), RuleWatch(geometry));
   TrueTool tool;
