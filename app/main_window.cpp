@@ -116,6 +116,7 @@ void MainWindow::showNews(const News& news) {
   const auto now = Clock::now();
   if (news.status.address != m_status.address) {
     m_skipped = m_lost = 0;
+    m_panes.history->clear();
     // What the last source showed says nothing about this one.
     if (m_display && !news.display) showNothing();
   }

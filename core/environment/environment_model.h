@@ -29,7 +29,8 @@ class EnvironmentModel {
 
   /// One frame: crops to the bounds, projects (nearest point of a cell wins), then the update.
   /// Points that are not finite or lie before zMin are ignored. A point beyond zMax but inside the
-  /// bounds in x and y shows that its cell was looked through: observed, and free in this frame.
+  /// bounds in x and y shows that its cell was looked through: observed, and free in this frame. In
+  /// perspective so does one that lies outside the bounds in x or y.
   ///
   /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
   /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it

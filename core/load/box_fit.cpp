@@ -200,7 +200,7 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     return LoadDetection::refused(LoadFault::PoorFit);
   }
   if (locked) box = withSizes(box, {parameters.sizeX, parameters.sizeY, parameters.sizeZ});
-  return {box, LoadFault::None};
+  return {box, LoadFault::None, true};
 }
 
 }  // namespace boomwatch

@@ -11,13 +11,18 @@ using Eigen::Vector3d;
 
 constexpr double roughness = 0.03;  ///< metres by which a log is no cylinder
 constexpr double slack = 0.05;      ///< metres by which a whole slice may lie behind it
+constexpr double shared = 0.3;      ///< share of a point's noise that its neighbours have as well
+constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
 
 /// What the camera sees in a slice across the cylinder, along its near line.
 struct Slice {
   int on = 0, behind = 0, before = 0;
-  double sum = 0.0;  ///< of (q - expected q) of those on it
-  double farthest = 0.0;
-  bool inTool = false;
+  double sum = 0.0;       ///< of (q - expected q) of those on it
+  double expected = 0.0;  ///< how many samples have room there
+  double u = 0.0;         ///< its middle
+  double q = 0.0;         ///< of the near line
+  double along = 0.0;     ///< metres from where it passes the tool
+  bool inPicture = false;
 };
 
 enum class SliceKind { On, Ended, Covered, Empty };
@@ -28,38 +33,17 @@ struct Slices {
   double middle(std::size_t i) const { return begin + (static_cast<double>(i) + 0.5) * width; }
 };
 
-/// Stray measurements among others do not count.
-SliceKind kindOf(const Slice& slice, double noise, double allowed) {
+/// A few stray measurements do not count, among others nor alone.
+SliceKind kindOf(const Slice& slice, double noise) {
+  constexpr double least = 0.3;
   const int seen = slice.on + slice.behind + slice.before;
-  if (seen == 0) return SliceKind::Empty;
+  if (seen < least * slice.expected || seen == 0) return SliceKind::Empty;
   if (slice.before > slice.on && slice.before > slice.behind) return SliceKind::Covered;
   if (slice.on <= slice.behind) return SliceKind::Ended;
-  const double mean = slice.sum / slice.on;
+  const double mean = slice.sum / slice.on, allowed = slack * slice.q * slice.q;
   // Where the flat end faces the camera, it leaves the round surface backwards.
-  return mean < -(3.0 * noise / std::sqrt(double(slice.on)) + allowed) ? SliceKind::Ended
-                                                                       : SliceKind::On;
-}
-
-constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
-
-/// The cells that may lie on the inner part, whatever their depth.
-std::vector<int> cellsAlong(const DepthPatch& patch, const CylinderFrame& frame,
-                            const ViewedCylinder& cylinder, const CylinderOutline& outline) {
-  std::vector<int> cells;
-  for (int cell = 0; cell < patch.side * patch.side; ++cell) {
-    const auto k = static_cast<std::size_t>(cell);
-    if (patch.begin[k] == patch.begin[k + 1]) continue;
-    const auto column = static_cast<float>(cell % patch.side);
-    const auto row = static_cast<float>(cell / patch.side);
-    const CylinderFrame::Seen seen = frame.look(DepthPatch::Sample{
-        static_cast<float>(patch.u0) + (column + 0.5F) * static_cast<float>(patch.cell),
-        static_cast<float>(patch.v0) + (row + 0.5F) * static_cast<float>(patch.cell), 1.0F});
-    const double half = (outline.edge(seen.u, true) - outline.edge(seen.u, false)) / 2.0;
-    if (std::abs(seen.v - cylinder.axisV(seen.u)) < inner * half + 2.0 * patch.cell) {
-      cells.push_back(cell);
-    }
-  }
-  return cells;
+  const double within = 3.0 * noise * std::sqrt(1.0 / slice.on + shared * shared);
+  return mean < -(within + allowed) ? SliceKind::Ended : SliceKind::On;
 }
 
 void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
@@ -81,21 +65,37 @@ void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
   }
 }
 
+/// Whether the camera sees so far to the side, with a little room.
+bool inPicture(const DepthPatch& patch, const CylinderFrame& frame, const Vector3d& local) {
+  const Vector3d p = frame.toCamera(local);
+  const double u = p.x() / p.z(), v = p.y() / p.z(), room = patch.cell;
+  return p.z() > 0.0 && u > patch.uMin + room && u < patch.uMax - room && v > patch.vMin + room &&
+         v < patch.vMax - room && patch.indexOf(u, v) >= 0;
+}
+
 Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCylinder& cylinder,
-           const Vector3d& tool, double toolRadius) {
+           const Vector3d& tool) {
   const CylinderOutline outline(cylinder);
+  const NearLine line = NearLine::of(cylinder);
+  const Vector3d direction = line.direction();
   Slices cutting;
   cutting.width = std::max(2.0 * patch.pitch, patch.cell / 3.0);
   const double reach = 1.5 * patch.side * patch.cell;
   cutting.begin = -reach;
   cutting.slices.resize(static_cast<std::size_t>(2.0 * reach / cutting.width) + 1);
   for (std::size_t i = 0; i < cutting.slices.size(); ++i) {
-    const double u = cutting.middle(i), q = cylinder.axisQ(u);
-    if (q <= 0.0) continue;
-    const Vector3d p = Vector3d(1.0, u, cylinder.axisV(u)) / q;
-    cutting.slices[i].inTool = (p - tool).norm() < toolRadius;
+    Slice& slice = cutting.slices[i];
+    const double u = cutting.middle(i);
+    slice.u = u;
+    slice.q = line.q(u);
+    if (!(slice.q > 0.0)) continue;
+    const Vector3d p = line.at(u);
+    slice.along = direction.dot(p - tool);
+    slice.inPicture = inPicture(patch, frame, p);
+    const double half = (outline.edge(u, true) - outline.edge(u, false)) / 2.0;
+    slice.expected = 2.0 * inner * half * cutting.width / (patch.pitch * patch.pitch);
   }
-  for (const int cell : cellsAlong(patch, frame, cylinder, outline)) {
+  for (const int cell : cellsBeside(patch, frame, line, inner * cylinder.radius())) {
     const auto k = static_cast<std::size_t>(cell);
     for (std::size_t i = patch.begin[k]; i < patch.begin[k + 1]; ++i) {
       addTo(cutting, frame.look(patch.samples[i]), patch.noise, cylinder, outline);
@@ -104,55 +104,105 @@ Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCyli
   return cutting;
 }
 
-/// Whether the camera sees so far to the side, with a little room.
-bool inPicture(const DepthPatch& patch, const CylinderFrame& frame, const Vector3d& local) {
-  const Vector3d p = frame.toCamera(local);
-  const double u = p.x() / p.z(), v = p.y() / p.z(), room = 2.0 * patch.cell;
-  return p.z() > 0.0 && u > patch.uMin + room && u < patch.uMax - room && v > patch.vMin + room &&
-         v < patch.vMax - room && patch.indexOf(u, v) >= 0;
-}
-
 struct Followed {
-  double u = 0.0;
+  double u = 0.0, farthest = 0.0;
   bool seen = false;
-  int on = 0, ended = 0;
+  int on = 0, off = 0;  ///< slices up to the end: seen as cylinder, and seen to be none
 };
 
-/// Walks from slice `from` in steps of `step`; the tool itself hides what it holds.
-Followed follow(const Slices& cutting, const DepthPatch& patch, const CylinderFrame& frame,
-                const ViewedCylinder& cylinder, std::ptrdiff_t from, int step) {
-  const auto count = static_cast<std::ptrdiff_t>(cutting.slices.size());
-  const auto longest = static_cast<int>(std::ceil(7.0 * patch.cell / cutting.width));
-  const auto shortest = static_cast<int>(std::ceil(1.5 * patch.cell / cutting.width)) + 1;
-  Followed end{cutting.middle(static_cast<std::size_t>(from)), false, 0, 0};
-  int covered = 0, empty = 0, ended = 0, endedInAll = 0;
-  for (std::ptrdiff_t i = from; i >= 0 && i < count; i += step) {
-    const Slice& slice = cutting.slices[static_cast<std::size_t>(i)];
-    if (slice.inTool) continue;
-    const double q = cylinder.axisQ(cutting.middle(static_cast<std::size_t>(i)));
-    if (q <= 0.0) break;
-    const SliceKind kind = kindOf(slice, patch.noise, slack * q * q);
-    if (kind == SliceKind::On) {
-      end.u = cutting.middle(static_cast<std::size_t>(i)) + step * cutting.width / 2.0;
-      covered = empty = ended = 0;
-      ++end.on;
-      end.ended = endedInAll;
-    } else if (kind == SliceKind::Ended) {
-      ++endedInAll;
-      if (++ended >= shortest) {
+/// Walks outwards from slice `from` in steps of `step`.
+class Walk {
+ public:
+  Walk(const Slices& cutting, const DepthPatch& patch, const AlongRange& range)
+      : m_cutting(cutting), m_patch(patch), m_range(range) {}
+
+  Followed follow(std::ptrdiff_t from, int step) const {
+    const auto count = static_cast<std::ptrdiff_t>(m_cutting.slices.size());
+    const int shortest = slicesOf(1.5 * m_patch.cell) + 1, longest = slicesOf(7.0 * m_patch.cell);
+    constexpr int fewest = 2;
+    Followed end;
+    end.u = end.farthest = m_cutting.middle(static_cast<std::size_t>(from));
+    int ended = 0, empty = 0, covered = 0, off = 0;
+    for (std::ptrdiff_t i = from; i >= 0 && i < count; i += step) {
+      const Slice& slice = m_cutting.slices[static_cast<std::size_t>(i)];
+      if (slice.q <= 0.0) break;
+      if (slice.along < m_range.from || slice.along > m_range.to) break;
+      if (!m_range.holds(slice.along)) continue;
+      const double outer =
+          m_cutting.middle(static_cast<std::size_t>(i)) + step * m_cutting.width / 2.0;
+      const SliceKind kind = kindOf(slice, m_patch.noise);
+      if (kind == SliceKind::On) {
+        end.u = end.farthest = outer;
+        end.off = off;
+        ++end.on;
+        ended = empty = covered = 0;
+        continue;
+      }
+      if (kind == SliceKind::Empty && !slice.inPicture && end.on > 0 && ended >= fewest &&
+          covered == 0) {
+        end.seen = true;  // just before the border
+        return end;
+      }
+      if (kind == SliceKind::Covered || (kind == SliceKind::Empty && !slice.inPicture)) {
+        ++covered;
+        end.farthest = outer;
+      } else {
+        ++(kind == SliceKind::Ended ? ended : empty);
+      }
+      off += kind == SliceKind::Ended ? 1 : 0;
+      const int enough = end.on > 0 ? shortest : 4 * shortest;
+      if (ended >= enough || ended + empty >= longest) {
+        // Before a sky that gives no depth an end is seen as well.
         end.seen = covered < shortest;
         return end;
       }
-    } else if (kind == SliceKind::Covered) {
-      if (++covered >= longest) return end;
-    } else if (++empty >= longest) {
-      // Before a sky that gives no depth an end is seen as well; beside the picture it is not.
-      const double u = cutting.middle(static_cast<std::size_t>(i));
-      end.seen = covered < shortest && inPicture(patch, frame, Vector3d(1.0, u, cylinder.axisV(u)));
-      return end;
+    }
+    return end;
+  }
+
+ private:
+  int slicesOf(double width) const {
+    return static_cast<int>(std::ceil(width / m_cutting.width));
+  }
+  const Slices& m_cutting;
+  const DepthPatch& m_patch;
+  const AlongRange& m_range;
+};
+
+/// Where the camera sees a slice's middle on the flat end at `along`: how much less its inverse
+/// depth is than that of the round surface.
+double offOnFlat(const Slice& slice, const Vector3d& ray, const Vector3d& outwards, double end) {
+  const double depth = end / ray.dot(outwards);  // the plane of the end: p . outwards = end
+  return depth > 0.0 ? std::min(0.0, 1.0 / depth - slice.q) : 0.0;
+}
+
+/// Where the flat end faces the camera it is seen beyond the round surface, and leaves it gradually:
+/// the place for which what is seen on both fits best. `u` is where it was left for certain.
+double sharpened(const Slices& cutting, const NearLine& line, double u, int step, double noise) {
+  constexpr int tried = 40;
+  constexpr double farthest = 0.4, facing = -0.1;  // metres; cosine
+  const Vector3d outwards = line.direction() * step, edge = line.at(u);
+  if (outwards.dot(edge.normalized()) > facing) return u;
+  const double end = outwards.dot(edge);
+  double best = u, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < tried; ++k) {
+    const double back = farthest * k / tried;
+    double cost = 0.0;
+    for (const Slice& slice : cutting.slices) {
+      const double beyond = outwards.dot(line.at(slice.u)) - end;
+      if (slice.on == 0 || slice.q <= 0.0 || std::abs(beyond) > farthest) continue;
+      const Vector3d ray(1.0, slice.u, line.v(slice.u));
+      const double off = beyond > -back ? offOnFlat(slice, ray, outwards, end - back) : 0.0;
+      const double sigmas = (slice.sum / slice.on - off) * std::sqrt(double(slice.on)) / noise;
+      cost += std::min(sigmas * sigmas, 9.0);
+    }
+    if (cost < least) {
+      least = cost;
+      const Vector3d p = edge - outwards * back;
+      best = p[1] / p[0];
     }
   }
-  return end;
+  return best;
 }
 
 }  // namespace
@@ -165,26 +215,30 @@ double CylinderEnds::alongAxis(const ViewedCylinder& cylinder, double u) {
 }
 
 CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
-                      const ViewedCylinder& cylinder, const Vector3d& tool, double toolRadius) {
-  const Slices cutting = cut(patch, frame, cylinder, tool, toolRadius);
-  const double place = (tool[1] / tool[0] - cutting.begin) / cutting.width;
+                      const ViewedCylinder& cylinder, const Vector3d& tool,
+                      const AlongRange& range) {
+  const Slices cutting = cut(patch, frame, cylinder, tool);
   CylinderEnds ends;
-  int on = 0, ended = 0, all = 0;
-  if (!(place >= 0.0 && place < static_cast<double>(cutting.slices.size()))) return ends;
-  const auto from = static_cast<std::ptrdiff_t>(place);
-  for (const int side : {0, 1}) {
-    const Followed end = follow(cutting, patch, frame, cylinder, from, side == 0 ? -1 : 1);
-    ends.u[static_cast<std::size_t>(side)] = end.u;
-    ends.seen[static_cast<std::size_t>(side)] = end.seen;
-    on += end.on;
-    ended += end.ended;
-  }
+  std::size_t from = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cutting.slices.size(); ++i) {
-    const double u = cutting.middle(i);
-    if (u > ends.u[0] && u < ends.u[1] && !cutting.slices[i].inTool) ++all;
+    const Slice& slice = cutting.slices[i];
+    if (slice.q > 0.0 && std::abs(slice.along) < least) from = i, least = std::abs(slice.along);
   }
-  ends.filled = all > 0 ? static_cast<double>(on) / all : 0.0;
-  ends.through = all > 0 ? static_cast<double>(ended) / all : 1.0;
+  if (!std::isfinite(least)) return ends;
+  const Walk walk(cutting, patch, range);
+  const NearLine line = NearLine::of(cylinder);
+  int on = 0, off = 0;
+  for (const std::size_t side : {0U, 1U}) {
+    const Followed end = walk.follow(static_cast<std::ptrdiff_t>(from), side == 0 ? -1 : 1);
+    ends.u[side] = end.seen ? sharpened(cutting, line, end.u, side == 0 ? -1 : 1, patch.noise) : end.u;
+    ends.farthest[side] = end.farthest;
+    ends.seen[side] = end.seen;
+    ends.shown[side] = end.on * cutting.width;
+    on += end.on;
+    off += end.off;
+  }
+  ends.filled = on > 0 ? static_cast<double>(on) / (on + off) : 0.0;
   return ends;
 }
 

@@ -30,8 +30,9 @@ std::string_view toString(LoadFault fault);
 struct LoadDetection {
   std::optional<OrientedBox> box;  ///< camera frame; a log's axis is the box's x. Absent on a fault
   LoadFault fault = LoadFault::NoToolPoint;
+  bool isWhole = true;  ///< its sizes were seen, not taken over from what was known of it
 
-  static LoadDetection refused(LoadFault why) { return {{}, why}; }
+  static LoadDetection refused(LoadFault why) { return {{}, why, false}; }
 };
 
 }  // namespace boomwatch

@@ -3,9 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "load/axis_search.h"
 #include "load/box_fit.h"
-#include "load/cylinder_fit.h"
+#include "load/log_fit.h"
 
 namespace boomwatch {
 namespace {
@@ -15,54 +14,13 @@ using Eigen::Vector3d;
 /// Of the largest load: how far from the tool its parts may be, where it is not held in the middle.
 constexpr double reachShare = 0.6;
 
-LoadDetection judged(const OrientedBox& box, const Bounds& bounds, double maxSize) {
-  if (!(box.size.maxCoeff() <= maxSize)) return LoadDetection::refused(LoadFault::TooLarge);
-  if (!bounds.contains(box.centre.cast<float>())) {
+LoadDetection judged(const LoadDetection& found, const Bounds& bounds, double maxSize) {
+  if (!found.box) return found;
+  if (!(found.box->size.maxCoeff() <= maxSize)) return LoadDetection::refused(LoadFault::TooLarge);
+  if (!bounds.contains(found.box->centre.cast<float>())) {
     return LoadDetection::refused(LoadFault::OutsideBounds);
   }
-  return {box, LoadFault::None};
-}
-
-OrientedBox boxOf(const CylinderFit& log) {
-  OrientedBox box;
-  box.centre = log.centre;
-  box.size = {log.length, 2.0 * log.radius, 2.0 * log.radius};
-  const Vector3d view = log.centre.normalized();
-  const Vector3d side = view.cross(log.axis).normalized();
-  box.rotation << log.axis, side, log.axis.cross(side);
-  return box;
-}
-
-/// Keeps the end that is seen where it is.
-void lockSizes(CylinderFit& log, const LoadParameters& parameters) {
-  const double missing = parameters.sizeX - log.length;
-  if (log.endSeen[0] != log.endSeen[1]) {
-    log.centre += log.axis * (log.endSeen[0] ? missing : -missing) / 2.0;
-  }
-  log.length = parameters.sizeX;
-  log.radius = std::max(parameters.sizeY, parameters.sizeZ) / 2.0;
-}
-
-LoadDetection detectLog(const DepthPatch& patch, const LoadBody& body, const Bounds& bounds,
-                        const LoadParameters& parameters) {
-  constexpr double armCells = 4.0, thickest = 0.25;  // of the largest size, as a diameter
-  const CylinderLimits limits{parameters.toolSize / 2.0, armCells * patch.cell * body.tool.z(),
-                              thickest / 2.0 * parameters.maxSize};
-  CylinderFit log;
-  log.fault = LoadFault::NoBody;
-  for (const LoadAxis& axis : findAxes(patch, body, limits.toolRadius, limits.leastArm)) {
-    const CylinderFit fit = fitCylinder(patch, body, axis, limits);
-    // What says more than that there is nothing is kept.
-    if (fit.fault == LoadFault::None || log.fault == LoadFault::NoBody) log = fit;
-    if (fit.fault == LoadFault::None) break;
-  }
-  if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
-  const bool locked = parameters.dimensions == LoadDimensions::Locked;
-  if (!(log.endSeen[0] && log.endSeen[1]) && !(locked && (log.endSeen[0] || log.endSeen[1]))) {
-    return LoadDetection::refused(LoadFault::EndHidden);
-  }
-  if (locked) lockSizes(log, parameters);
-  return judged(boxOf(log), bounds, parameters.maxSize);
+  return found;
 }
 
 }  // namespace
@@ -77,20 +35,24 @@ OrientedBox dynamicVolume(const OrientedBox& load, double margin, double depthNo
 }
 
 LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double depthNoise,
-                         const Bounds& bounds, const LoadParameters& parameters) {
+                         const Bounds& bounds, const LoadParameters& parameters,
+                         const std::optional<OrientedBox>& expected) {
   const double reach = reachShare * parameters.maxSize;
   const DepthPatch patch = patchAround(cloud, tool, reach, depthNoise);
   if (patch.empty()) return LoadDetection::refused(LoadFault::NothingAtTool);
+  if (expected && isLog(*expected) && parameters.shape != LoadShape::Box) {
+    const LoadDetection same = followLog(patch, tool.cast<double>(), parameters, *expected);
+    if (same.box) return judged(same, bounds, parameters.maxSize);
+  }
   const LoadBody body = growBody(patch, tool, {reach, parameters.toolSize / 2.0, bounds});
   if (body.fault != LoadFault::None) return LoadDetection::refused(body.fault);
   LoadDetection found = LoadDetection::refused(LoadFault::NoBody);
-  if (parameters.shape != LoadShape::Box) found = detectLog(patch, body, bounds, parameters);
+  if (parameters.shape != LoadShape::Box) found = findLog(patch, body, parameters, expected);
   const bool none = found.fault == LoadFault::NoBody || found.fault == LoadFault::PoorFit;
   if (parameters.shape == LoadShape::Box || (parameters.shape == LoadShape::Auto && none)) {
-    const LoadDetection box = fitBox(patch, body, reach, parameters);
-    found = box.box ? judged(*box.box, bounds, parameters.maxSize) : box;
+    found = fitBox(patch, body, reach, parameters);
   }
-  return found;
+  return judged(found, bounds, parameters.maxSize);
 }
 
 }  // namespace boomwatch

@@ -14,8 +14,12 @@ namespace boomwatch {
 /// and maxSize. A log's box has its axis as x, and z as far away from the camera as can be; of a
 /// box that it cannot tell front from side, x is its longest edge. Refuses, with a reason, rather
 /// than guess. Deterministic; pure; any cloud and any tool point.
+///
+/// `expected`: the load that was carried a moment ago, where it is by now, about (see
+/// LoadFollower::expected). The same log is then found with an end or one whole side hidden.
 LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double depthNoise,
-                         const Bounds& bounds, const LoadParameters& parameters);
+                         const Bounds& bounds, const LoadParameters& parameters,
+                         const std::optional<OrientedBox>& expected = {});
 
 /// In which points are taken for the load's: its box, `margin` metres larger on all sides, and
 /// along the line of sight by three standard deviations of the depth there as well.

@@ -24,6 +24,9 @@ class LoadFollower {
                   double maxAge);
   void reset();
 
+  /// Where the load is by `stamp` if it moves on as it did. Absent when there is none to follow.
+  std::optional<OrientedBox> expected(double stamp, double maxAge) const;
+
  private:
   bool jumps(const OrientedBox& seen, double passed) const;
   void begin(const OrientedBox& seen, double stamp);
@@ -34,6 +37,7 @@ class LoadFollower {
   struct Pose {
     OrientedBox box;                                     ///< its size is m_size
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< metres a second
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();      ///< axis times radians a second
     double stamp = 0.0;                                  ///< when it was last seen
   };
   std::optional<Pose> m_pose;

@@ -19,6 +19,38 @@ std::optional<CylinderFrame> CylinderFrame::facing(const Vector3d& point, const 
   return frame;
 }
 
+NearLine NearLine::of(const CylinderFrame& frame, const LoadAxis& axis) {
+  constexpr double step = 0.1;
+  const auto a = frame.look(Vector3d(axis.point - step * axis.direction));
+  const auto b = frame.look(Vector3d(axis.point + step * axis.direction));
+  return {a.u, b.u, a.v, b.v, a.q, b.q};
+}
+
+NearLine NearLine::of(const ViewedCylinder& cylinder) {
+  const CylinderOutline outline(cylinder);
+  const double ua = cylinder.ua, ub = cylinder.ub;
+  const double va = cylinder.axisV(ua), vb = cylinder.axisV(ub);
+  return {ua, ub, va, vb, outline.q(ua, va), outline.q(ub, vb)};
+}
+
+std::vector<int> cellsBeside(const DepthPatch& patch, const CylinderFrame& frame,
+                             const NearLine& line, double halfWidth) {
+  std::vector<int> cells;
+  const auto at = [&](int row, int column) {
+    return frame.look(Vector3d(patch.u0 + (column + 0.5) * patch.cell,
+                               patch.v0 + (row + 0.5) * patch.cell, 1.0));
+  };
+  for (int cell = 0; cell < patch.side * patch.side; ++cell) {
+    const auto k = static_cast<std::size_t>(cell);
+    if (patch.begin[k] == patch.begin[k + 1]) continue;
+    const CylinderFrame::Seen seen = at(cell / patch.side, cell % patch.side);
+    if (std::abs(seen.v - line.v(seen.u)) < halfWidth * line.q(seen.u) + 2.0 * patch.cell) {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
 CylinderOutline::CylinderOutline(const ViewedCylinder& cylinder)
     : m_point(cylinder.pointA()), m_axis(cylinder.direction()), m_radius(cylinder.radius()) {
   const Vector3d away = m_point - m_axis * m_axis.dot(m_point);

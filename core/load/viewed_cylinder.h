@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <optional>
 
-#include "load/depth_patch.h"
+#include "load/axis_search.h"
 
 namespace boomwatch {
 
@@ -31,6 +33,9 @@ struct CylinderFrame {
   Eigen::Vector3d toCamera(const Eigen::Vector3d& local) const {
     return view * local[0] + along * local[1] + across * local[2];
   }
+  Eigen::Vector3d toLocal(const Eigen::Vector3d& p) const {
+    return {p.dot(view), p.dot(along), p.dot(across)};
+  }
 };
 
 /// An endless cylinder in such a frame, by two points of its axis (v and q at two fixed u) and its
@@ -50,6 +55,37 @@ struct ViewedCylinder {
   double axisQ(double u) const { return x[2] + (x[3] - x[2]) * (u - ua) / (ub - ua); }
   bool isUsable() const { return x.allFinite() && x[2] > 0.0 && x[3] > 0.0 && x[4] > 0.0; }
 };
+
+/// A straight line in such a frame: straight there too, v as well as q.
+struct NearLine {
+  double ua = -0.1, ub = 0.1, va = 0.0, vb = 0.0, qa = 1.0, qb = 1.0;
+
+  double v(double u) const { return va + (vb - va) * (u - ua) / (ub - ua); }
+  double q(double u) const { return qa + (qb - qa) * (u - ua) / (ub - ua); }
+  /// (view, along, across), metres; q there must be positive.
+  Eigen::Vector3d at(double u) const { return Eigen::Vector3d(1.0, u, v(u)) / q(u); }
+  /// Towards larger u.
+  Eigen::Vector3d direction() const { return (at(ub) - at(ua)).normalized(); }
+  static NearLine of(const CylinderFrame& frame, const LoadAxis& axis);
+  /// Where a cylinder is nearest to the camera.
+  static NearLine of(const ViewedCylinder& cylinder);
+};
+
+/// Along a line, from where it passes the tool. Metres.
+struct AlongRange {
+  double toolRadius;  ///< so far to both sides is the tool: left out
+  double from = -std::numeric_limits<double>::infinity();  ///< and what lies before or beyond
+  double to = std::numeric_limits<double>::infinity();
+
+  bool holds(double along) const {
+    return std::abs(along) > toolRadius && along > from && along < to;
+  }
+};
+
+/// The measured cells that may lie within `halfWidth` metres of the line as it is seen, whatever
+/// their depth.
+std::vector<int> cellsBeside(const DepthPatch& patch, const CylinderFrame& frame,
+                             const NearLine& line, double halfWidth);
 
 /// What a ViewedCylinder looks like, for many directions at a time.
 class CylinderOutline {
