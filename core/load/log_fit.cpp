@@ -57,6 +57,24 @@ bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
 
 bool isWhole(const CylinderFit& fit) { return fit.endSeen[0] && fit.endSeen[1]; }
 
+/// Whether something is seen all the way from the tool point to the log: what holds it.
+bool hangsTogether(const CylinderFit& fit, const DepthPatch& patch, const Vector3d& tool) {
+  constexpr double deep = 0.35;  // metres by which a grapple is deeper than a line in it
+  constexpr double open = 0.3;   // metres that a grapple that is seen through may show
+  const Vector3d foot = fit.centre + fit.axis * fit.axis.dot(tool - fit.centre);
+  const double apart = (foot - tool).norm() - fit.radius, step = patch.cell * tool.z();
+  double gap = 0.0;
+  for (double way = 0.0; way < apart; way += step) {
+    const Vector3d p = tool + (foot - tool).normalized() * way;
+    const int cell = patch.indexOf(p.x() / p.z(), p.y() / p.z());
+    if (cell < 0 || std::isnan(patch.q[static_cast<std::size_t>(cell)])) continue;
+    const double z = patch.point(cell).z();
+    const double noise = 3.0 * patch.sigma[static_cast<std::size_t>(cell)] * p.z() * p.z();
+    gap += z > p.z() + deep + noise ? step : 0.0;
+  }
+  return gap < open;
+}
+
 /// Whether the body goes on where the log ends, as a boom does at its joints.
 bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patch) {
   constexpr double reach = 0.4, beside = 0.2, nearest = 0.08;  // metres beyond an end, or beside it
@@ -144,7 +162,8 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
     if (!axis) break;
     CylinderFit fit = fitCylinder(patch, body.tool, *axis, reaches.cylinder);
     const bool isThere = fit.fault == LoadFault::None;
-    if (isThere && (!isHeld(fit, reaches) || goesOn(fit, body, patch))) {
+    if (isThere && (!isHeld(fit, reaches) || !hangsTogether(fit, patch, body.tool) ||
+                    goesOn(fit, body, patch))) {
       fit.fault = LoadFault::NoBody;
     }
     if (saysMore(fit, log)) log = fit;
