@@ -10,10 +10,10 @@ using Eigen::Vector3f;
 
 constexpr int finestHalfSide = 75, coarsestHalfSide = 20;
 constexpr double leastPerCell = 2.5;
-constexpr double samplesPerCell = 4.0;  ///< at least, where the cloud has as many
 constexpr float nearest = 0.02F, farthest = 1e6F;  ///< metres; nothing is measured beyond
 
-/// Calls `take` with every `thinning`-th measured point (a power of 2), evenly over both directions.
+/// Calls `take` with every `thinning`-th measured point (a power of 2), evenly over both
+/// directions.
 template <class Take>
 void forPoints(const Cloud& cloud, int thinning, Take&& take) {
   int step = 1;
@@ -141,7 +141,8 @@ void layGrid(DepthPatch& patch, const Vector3f& tool, double reach, int halfSide
 
 }  // namespace
 
-DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, double noise) {
+DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, double noise,
+                       double samplesPerCell) {
   DepthPatch patch;
   if (!isMeasured(tool) || tool.z() <= nearest) return patch;
   patch.noise = noise;

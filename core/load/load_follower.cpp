@@ -110,8 +110,7 @@ void LoadFollower::begin(const OrientedBox& seen, double stamp) {
   m_jumps = 0;
 }
 
-void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected,
-                           double passed) {
+void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected, double passed) {
   Pose& pose = *m_pose;
   const Vector3d off = seen.centre - expected.centre;
   const Vector3d turn = turnBetween(expected.rotation, seen.rotation);

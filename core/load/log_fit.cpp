@@ -46,7 +46,8 @@ OrientedBox boxOf(const CylinderFit& log) {
 /// On both sides of the tool, and seen there; a boom that passes the tool is not held by it.
 bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
   constexpr double leastShown = 0.5, nearMiddle = 0.33;
-  // The tool point lies on the tool's near side: of what points at the camera it is nearer that end.
+  // The tool point lies on the tool's near side: of what points at the camera it is nearer that
+  // end.
   constexpr double toolDepth = 0.2;
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   const double shorter = std::min(fit.arm[0], fit.arm[1]) + reaches.cylinder.toolRadius;
@@ -174,7 +175,8 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked, whole = isWhole(log);
   if (isLocked || !whole) {
     const bool fits = sizes && (isLocked || isAsThick(log, sizes->radius));
-    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch))) return LoadDetection::refused(LoadFault::EndHidden);
+    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch)))
+      return LoadDetection::refused(LoadFault::EndHidden);
   }
   return {boxOf(log), LoadFault::None, whole};
 }
@@ -202,7 +204,8 @@ LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
     return LoadDetection::refused(LoadFault::NoBody);
   }
   // An arm that is hidden altogether does not end at the tool.
-  for (const std::size_t side : {0U, 1U}) log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
+  for (const std::size_t side : {0U, 1U})
+    log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
   const bool whole = isWhole(log);
   const Sizes sizes{expected.size.x(), radius};
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked;
