@@ -20,14 +20,28 @@ QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
 
+template <class Add>
+void addExperimentOptions(const Add& option) {
+  option(
+      "experiments", "",
+      tr("Instead of all this, repeat the thesis's experiments and run the chain on random yards "
+         "against truth; the report goes into the folder --output; --frames of each yard"));
+  option("sequences", "N", tr("With --experiments: how many random yards, 50 by default"));
+  option("tracking", "PATH",
+         tr("With --experiments: a sequence with ground truth, or a folder of such"));
+  option("bench", "FILE",
+         tr("With --experiments: figures of FCL and OctoMap, as packaging/dev bench writes them"));
+}
+
 void addOptions(QCommandLineParser& parser) {
   const auto option = [&](const char* name, const char* value, const QString& description) {
     parser.addOption(
         QCommandLineOption(QString::fromLatin1(name), description, QString::fromLatin1(value)));
   };
-  option("source", "ADDRESS",
-         tr("stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT, demo:yard, demo:floor, "
-            "demo:cylinders or demo:wall"));
+  option(
+      "source", "ADDRESS",
+      tr("stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT, demo:yard, demo:floor, "
+         "demo:cylinders or demo:wall"));
   option("calibration", "FILE", tr("Stereo calibration, when it does not lie with the recording"));
   option("headless", "", tr("Run without a window; one JSON line a frame"));
   option("frames", "N", tr("Stop after N frames"));
@@ -56,6 +70,7 @@ void addOptions(QCommandLineParser& parser) {
   option("evaluate", "tracking",
          tr("Instead of all this, run trackers over the FOLDERs that follow, each a sequence with "
             "ground truth or a folder of such; --output names a folder for the tables"));
+  addExperimentOptions(option);
   parser.addOption(
       QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
   option("version", "", tr("Show the version"));
@@ -169,6 +184,21 @@ void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
   line.evaluationFolders = words;
 }
 
+void readExperiments(CommandLine& line, const QCommandLineParser& parser) {
+  line.experiments = parser.isSet(QStringLiteral("experiments"));
+  line.tracking = parser.value(QStringLiteral("tracking"));
+  line.bench = parser.value(QStringLiteral("bench"));
+  if (parser.isSet(QStringLiteral("sequences"))) {
+    line.sequences = static_cast<std::size_t>(
+        wholeNumber(QStringLiteral("--sequences"), parser.value(QStringLiteral("sequences")), 1));
+  }
+  for (const char* name : {"sequences", "tracking", "bench"}) {
+    if (line.experiments || !parser.isSet(QLatin1String(name))) continue;
+    throw Error("--" + std::string(name), "it belongs to --experiments",
+                "Add that, or leave it out.");
+  }
+}
+
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
   if (parser.isSet(QStringLiteral("parameters"))) {
     line.parameters =
@@ -215,6 +245,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
         wholeNumber(QStringLiteral("--frames"), parser.value(QStringLiteral("frames")), 1));
   }
   readEvaluation(line, parser);
+  readExperiments(line, parser);
   readTool(line, parser);
   readParameters(line, parser);
   requireLearner(line);

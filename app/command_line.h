@@ -18,7 +18,8 @@ struct CommandLine {
   QString source;  ///< empty: the last one (window) or the built-in demo (headless)
   SourceOptions sourceOptions;
   std::optional<std::size_t> frames;  ///< stop after this many
-  /// JSON lines; empty or "-": standard output. A folder with exportDemo and evaluate.
+  /// JSON lines; empty or "-": standard output. A folder with exportDemo, evaluate
+  /// and experiments.
   QString output;
   QString exportDemo;  ///< as behind "demo:"; empty: none
   bool exportTruthImages = false;
@@ -31,6 +32,10 @@ struct CommandLine {
   bool evaluate = false;                   ///< run trackers over evaluationFolders; see evaluate.h
   QStringList evaluationFolders;           ///< at least one
   QStringList trackers;                    ///< of --tracker; empty: all of them are evaluated
+  bool experiments = false;                ///< see experiments_run.h; output is a folder
+  QString tracking;  ///< with experiments: sequences with ground truth; empty: none
+  QString bench;     ///< with experiments: JSON of the benchmarks; empty: none
+  std::optional<std::size_t> sequences;  ///< with experiments: random yards
   bool help = false;
   bool version = false;
 };

@@ -4,7 +4,6 @@
 #include <QSaveFile>
 #include <QTemporaryFile>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <vector>
@@ -13,27 +12,14 @@
 #include "evaluation/tracking_evaluation.h"
 #include "evaluation/tracking_sequence.h"
 #include "frame/error.h"
+#include "interrupt_watch.h"
 
 namespace boomwatch {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
 void complain(const std::string& message) {
   std::fprintf(stderr, "boomwatch: %s\n", message.c_str());
 }
-
-/// Ctrl-C while one of these lives is noted, and ends nothing by itself.
-class InterruptWatch {
- public:
-  InterruptWatch() : m_before(std::signal(SIGINT, [](int) { interrupted = 1; })) {}
-  ~InterruptWatch() { std::signal(SIGINT, m_before); }
-  InterruptWatch(const InterruptWatch&) = delete;
-  InterruptWatch& operator=(const InterruptWatch&) = delete;
-
- private:
-  void (*m_before)(int);
-};
 
 /// Before the hours of work, not after them.
 void requireWritable(const QString& folder) {
@@ -74,7 +60,8 @@ class Evaluation {
       write(m_line.output, "tracking.csv", csvTable(m_runs));
       write(m_line.output, "tracking.md", markdownTable(m_runs));
     }
-    if (interrupted) complain("interrupted: only rows that say complete are whole.");
+    if (InterruptWatch::interrupted())
+      complain("interrupted: only rows that say complete are whole.");
     return std::ranges::all_of(
                m_runs, [](const TrackerRun& run) { return run.state == RunState::Complete; })
                ? 0
@@ -89,13 +76,13 @@ class Evaluation {
 
   std::vector<TrackerRun> runsOf(std::size_t index) {
     const std::string name = m_folders[index].filename().string();
-    if (interrupted) return without(name, RunState::Interrupted, "");
+    if (InterruptWatch::interrupted()) return without(name, RunState::Interrupted, "");
     try {
       TrackingSequence sequence = openTrackingSequence(m_folders[index]);
       return evaluateSequence(sequence, m_trackers, m_line.frames,
                               [&](std::size_t frame, std::size_t frames) {
                                 sayProgress(index, sequence.name, frame, frames);
-                                return interrupted == 0;
+                                return !InterruptWatch::interrupted();
                               });
     } catch (const std::exception& fault) {
       complain(fault.what());

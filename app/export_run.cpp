@@ -1,25 +1,17 @@
 #include "export_run.h"
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 
+#include "interrupt_watch.h"
+
 namespace boomwatch {
-namespace {
-
-std::atomic<bool> stopped = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may set it
-
-}  // namespace
 
 int runExport(const DemoExport& what) {
-  stopped = false;
-  std::signal(SIGINT, [](int) { stopped = true; });
-  std::signal(SIGTERM, [](int) { stopped = true; });
+  const InterruptWatch watch;
   const bool whole = exportDemo(what, [](std::size_t done, std::size_t all) {
     std::fprintf(stderr, "\rboomwatch: frame %zu of %zu", done, all);
     std::fflush(stderr);
-    return !stopped;
+    return !InterruptWatch::interrupted();
   });
   std::fprintf(
       stderr,

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "console.h"
 #include "evaluate.h"
+#include "experiments_run.h"
 #include "export_run.h"
 #include "frame/error.h"
 #include "headless.h"
@@ -45,6 +46,12 @@ int run(const boomwatch::CommandLine& line, int& argc, char** argv) {
                                  line.output.toStdString(), line.exportTruthImages});
   }
   if (line.evaluate) return boomwatch::runEvaluation(line);
+  if (line.experiments) {
+    // Figures need fonts, but no display.
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    return boomwatch::runExperiments(line, BOOMWATCH_VERSION);
+  }
   if (line.headless) return runHeadlessly(line, argc, argv);
   if (!hasDisplay()) {
     throw boomwatch::Error("window", "there is no display",

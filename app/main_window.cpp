@@ -116,6 +116,7 @@ void MainWindow::showNews(const News& news) {
   const auto now = Clock::now();
   if (news.status.address != m_status.address) {
     m_skipped = m_lost = 0;
+    m_panes.history->clear();
     // What the last source showed says nothing about this one.
     if (m_display && !news.display) showNothing();
   }
@@ -174,7 +175,7 @@ void MainWindow::showNotice(const Notice& notice) {
       break;
     case Notice::Kind::Calibration:
       m_panes.state->showFault(tr("The calibration does not fit: the rows of left and right differ "
-                                  "by %1 px. Calibrate anew, or switch on Refine.")
+                                  "by %1 px. Calibrate anew, or switch on Refine where it is off.")
                                    .arg(notice.text));
       break;
     case Notice::Kind::RowsCorrected:

@@ -27,6 +27,7 @@ void MainWindow::wirePlayer() {
           [this](int direction) { send(StepCommand{direction}); });
   connect(player, &PlayerBar::seekRequested, this,
           [this](std::size_t index) { send(SeekCommand{index}); });
+  connect(player, &PlayerBar::seekRequested, m_panes.history, &DistancePlot::clear);
   connect(player, &PlayerBar::loopChanged, this, [this](bool loop) { send(LoopCommand{loop}); });
   connect(player, &PlayerBar::speedChanged, this,
           [this](double speed) { send(SpeedCommand{speed}); });

@@ -57,6 +57,7 @@ Panes Panes::make(QMainWindow* window) {
   panes.camera = new CameraView;
   panes.probability = new MapView(MapKind::Probability);
   panes.environment = new MapView(MapKind::Environment);
+  panes.history = new DistancePlot;
   panes.parameters = new ParameterDock(window);
   panes.tracking = new TrackingDock(window);
   panes.player = new PlayerBar;
@@ -75,7 +76,10 @@ Panes Panes::make(QMainWindow* window) {
                panes.probability, window),
       makeDock("environment", text(QT_TRANSLATE_NOOP("Panes", "Environment model")),
                panes.environment, window),
-      panes.tracking, panes.parameters};
+      panes.tracking,
+      panes.parameters,
+      makeDock("history", text(QT_TRANSLATE_NOOP("Panes", "Distance against time")), panes.history,
+               window)};
   panes.arrange(window);
   return panes;
 }
@@ -87,10 +91,13 @@ void Panes::arrange(QMainWindow* window) const {
     window->addDockWidget(right ? Qt::RightDockWidgetArea : Qt::BottomDockWidgetArea, dock);
     dock->show();
   }
+  QDockWidget* below = docks.constLast();
+  window->splitDockWidget(docks[0], below, Qt::Vertical);
   window->splitDockWidget(docks[0], docks[1], Qt::Horizontal);
   window->splitDockWidget(docks[1], docks[2], Qt::Horizontal);
   window->resizeDocks({docks[0], docks[1], docks[2]}, {1, 1, 1}, Qt::Horizontal);
-  window->resizeDocks({docks[0]}, {window->height() * 2 / 5}, Qt::Vertical);
+  window->resizeDocks({docks[0], below},
+                      {window->height() / 3, below->widget()->sizeHint().height()}, Qt::Vertical);
   window->resizeDocks({tracking, parameters}, {tracking->sizeHint().height(), window->height()},
                       Qt::Vertical);
 }
@@ -104,6 +111,7 @@ void Panes::setDisplay(const DisplayPtr& display) const {
   probability->setDisplay(display);
   environment->setDisplay(display);
   tracking->setDisplay(display);
+  history->setDisplay(display);
 }
 
 }  // namespace boomwatch

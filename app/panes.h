@@ -5,6 +5,7 @@
 #include "camera_view.h"
 #include "display.h"
 #include "distance_bar.h"
+#include "distance_plot.h"
 #include "map_view.h"
 #include "parameter_dock.h"
 #include "player_bar.h"
@@ -27,6 +28,7 @@ struct Panes {
   CameraView* camera = nullptr;
   MapView* probability = nullptr;
   MapView* environment = nullptr;
+  DistancePlot* history = nullptr;
   ParameterDock* parameters = nullptr;
   TrackingDock* tracking = nullptr;
   PlayerBar* player = nullptr;

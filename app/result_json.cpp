@@ -35,6 +35,32 @@ QJsonValue toolObject(const ToolTrack& tool) {
   };
 }
 
+QJsonValue evidenceObject(const std::optional<Evidence>& evidence) {
+  if (!evidence) return {};
+  return QJsonObject{{"cells", evidence->cells},
+                     {"area_m2", evidence->area},
+                     {"extent_m", evidence->extent},
+                     {"probability", evidence->probability},
+                     {"confidence", evidence->confidence}};
+}
+
+const Watched& leading(const Result& result) { return result.watched[result.leading]; }
+
+QJsonArray watchedList(const Result& result) {
+  QJsonArray list;
+  for (const Watched& watched : result.watched) {
+    const auto& nearest = watched.clearance.nearest;
+    list.append(QJsonObject{
+        {"object", text(nameOf(watched.object))},
+        {"segment", watched.segment},
+        {"state", text(toString(watched.clearance.state))},
+        {"reason", text(toString(watched.clearance.reason))},
+        {"distance_m", nearest ? QJsonValue(nearest->distance) : QJsonValue()},
+        {"centre", watched.box ? QJsonValue(point(watched.box->centre)) : QJsonValue()}});
+  }
+  return list;
+}
+
 }  // namespace
 
 QByteArray toJsonLine(const Result& result) {
@@ -58,6 +84,11 @@ QByteArray toJsonLine(const Result& result) {
       {"uncertainty_m", nearest ? QJsonValue(nearest->quantisation) : none},
       {"depth_uncertainty_m", number(result.depthUncertainty)},
       {"level", text(toString(result.level))},
+      {"unseen", nearest ? QJsonValue(nearest->unseen) : none},
+      {"evidence", evidenceObject(clearance.evidence)},
+      {"leading", result.watched.empty() ? none : QJsonValue(text(nameOf(leading(result).object)))},
+      {"watched", watchedList(result)},
+      {"suppressed_cells", static_cast<qint64>(result.suppressed.size())},
       {"velocity_m_s", approach ? QJsonValue(point(approach->velocity)) : none},
       {"closing_m_s", approach ? number(approach->closingSpeed) : none},
       {"time_to_contact_s", approach ? number(approach->timeToContact) : none},

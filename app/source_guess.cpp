@@ -67,6 +67,9 @@ std::optional<QString> guessAddress(const QString& path) {
   const QFileInfo info(path);
   if (!info.exists()) return std::nullopt;
   if (info.isDir()) return guessFolder(info.absoluteFilePath());
+  if (info.suffix().compare(QStringLiteral("asc"), Qt::CaseInsensitive) == 0) {
+    return QStringLiteral("map:") + info.absoluteFilePath();
+  }
   if (isCloud(info.fileName())) return QStringLiteral("cloud:") + info.absoluteFilePath();
   // One picture, video or list out of a recording stands for the recording.
   return guessFolder(info.absolutePath());

@@ -103,6 +103,10 @@
         <source>Demo: forestry y&amp;ard</source>
         <translation>Demo: &amp;Holzplatz</translation>
     </message>
+    <message>
+        <source>&amp;Map...</source>
+        <translation>&amp;Karte...</translation>
+    </message>
 </context>
 <context>
     <name>Panes</name>
@@ -121,6 +125,10 @@
     <message>
         <source>Environment model</source>
         <translation>Umgebungsmodell</translation>
+    </message>
+    <message>
+        <source>Distance against time</source>
+        <translation>Abstand über der Zeit</translation>
     </message>
 </context>
 <context>
@@ -726,12 +734,8 @@
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Turn the right camera by up to a degree, so that the rows of both pictures agree</source>
-        <translation>Die rechte Kamera um bis zu ein Grad drehen, damit die Zeilen beider Bilder übereinstimmen</translation>
-    </message>
-    <message>
-        <source>scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
-        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter; detected: in jedem Bild am Werkzeug gefunden</translation>
+        <source>Turn the right camera by up to a degree, and correct its focal length, so that the rows of both pictures agree</source>
+        <translation>Die rechte Kamera um bis zu ein Grad drehen und ihre Brennweite berichtigen, damit die Zeilen beider Bilder übereinstimmen</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -788,6 +792,58 @@
     <message>
         <source>Longer without seeing the load that is detected, and there is no distance</source>
         <translation>Wird die erkannte Last länger nicht gesehen, gibt es keinen Abstand</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>parallel: columns along z (the thesis&apos;s); perspective: image rays, no gap behind near things; there a cell is resolution wide at half of z_max</source>
+        <translation>parallel: Säulen entlang z (wie in der Arbeit); perspective: Bildstrahlen, keine Lücke hinter nahen Dingen; eine Zelle ist dann bei halbem z_max so breit wie die Auflösung</translation>
+    </message>
+    <message>
+        <source>Unknown space</source>
+        <translation>Unbekannter Raum</translation>
+    </message>
+    <message>
+        <source>ignore: as if it were free (the thesis&apos;s); show: said and drawn, and too little seen is no distance; solid: what was never seen counts as an obstacle</source>
+        <translation>ignore: als wäre er frei (wie in der Arbeit); show: wird gesagt und gezeichnet, und zu wenig Gesehenes ist kein Abstand; solid: was nie gesehen wurde, zählt als Hindernis</translation>
+    </message>
+    <message>
+        <source>Smallest thing</source>
+        <translation>Kleinstes Ding</translation>
+    </message>
+    <message>
+        <source>What is smaller from corner to corner is drawn but does not count; 0 counts all</source>
+        <translation>Was von Ecke zu Ecke kleiner ist, wird gezeichnet, zählt aber nicht; 0 zählt alles</translation>
+    </message>
+    <message>
+        <source>Watched</source>
+        <translation>Überwacht</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the load</source>
+        <translation>Den Abstand von der Last überwachen</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the tool that is followed</source>
+        <translation>Den Abstand vom verfolgten Werkzeug überwachen</translation>
+    </message>
+    <message>
+        <source>Boom</source>
+        <translation>Ausleger</translation>
+    </message>
+    <message>
+        <source>Watch the distance from the boom&apos;s segments, as far as they are seen</source>
+        <translation>Den Abstand von den Teilen des Auslegers überwachen, soweit sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>auto: detected where a tool is followed, else what the source knows; scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
+        <translation>auto: erkannt, wo ein Werkzeug verfolgt wird, sonst was die Quelle weiß; scene: nur, was die Quelle selbst weiß; manual: die Werte unten; detected: in jedem Bild am Werkzeug gefunden</translation>
     </message>
 </context>
 <context>
@@ -1095,6 +1151,30 @@
         <source>load</source>
         <translation>Last</translation>
     </message>
+    <message>
+        <source>Tool not seen</source>
+        <translation>Werkzeug nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>Tool or boom are watched, but not found in the cloud. Track the tool, or watch the load alone.</source>
+        <translation>Werkzeug oder Ausleger werden überwacht, sind aber in der Wolke nicht zu finden. Das Werkzeug verfolgen, oder nur die Last überwachen.</translation>
+    </message>
+    <message>
+        <source>boom %1</source>
+        <translation>Ausleger %1</translation>
+    </message>
+    <message>
+        <source>boom</source>
+        <translation>Ausleger</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing in range</source>
+        <translation>%1: nichts in Reichweite</translation>
+    </message>
 </context>
 <context>
     <name>ToolOverlay</name>
@@ -1271,6 +1351,61 @@ Rechtsklick oder Escape: vergessen.</translation>
         <source>contact in %1 s</source>
         <translation>Berührung in %1 s</translation>
     </message>
+    <message>
+        <source>to space never seen</source>
+        <translation>zu nie gesehenem Raum</translation>
+    </message>
+    <message>
+        <source>of the %1</source>
+        <translation>vom %1</translation>
+    </message>
+    <message>
+        <source>evidence %1 %</source>
+        <translation>Beleg %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>boomwatch::DistancePlot</name>
+    <message>
+        <source>time (s), 0 is now</source>
+        <translation>Zeit (s), 0 ist jetzt</translation>
+    </message>
+    <message>
+        <source>distance (m)</source>
+        <translation>Abstand (m)</translation>
+    </message>
+    <message>
+        <source>caution</source>
+        <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>reported</source>
+        <translation>gemeldet</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>vor %1 s</translation>
+    </message>
+    <message>
+        <source>reported: %1</source>
+        <translation>gemeldet: %1</translation>
+    </message>
+    <message>
+        <source>nothing in range</source>
+        <translation>nichts in Reichweite</translation>
+    </message>
+    <message>
+        <source>truth: %1</source>
+        <translation>wahr: %1</translation>
+    </message>
 </context>
 <context>
     <name>boomwatch::HelpDialog</name>
@@ -1361,8 +1496,8 @@ Rechtsklick oder Escape: vergessen.</translation>
         <translation>Werkzeug: %1</translation>
     </message>
     <message>
-        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
-        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein.</translation>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine where it is off.</source>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein, wo es aus ist.</translation>
     </message>
     <message>
         <source>The calibration does not fit: the rows of left and right differ by %1 px. That is corrected; better calibrate anew.</source>
@@ -1382,6 +1517,10 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>There is no model yet.</source>
         <translation>Es gibt noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>too small to count</source>
+        <translation>zu klein, um zu zählen</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1773,18 @@ Rechtsklick oder Escape: vergessen.</translation>
     <message>
         <source>Calibrations (*.yaml *.yml *.xml *.txt);;All files (*)</source>
         <translation>Kalibrierungen (*.yaml *.yml *.xml *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A height or depth map: an ASCII grid, or a YAML file about one</source>
+        <translation>Eine Höhen- oder Tiefenkarte: ein ASCII-Gitter, oder eine YAML-Datei darüber</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Maps (*.asc *.yaml *.yml)</source>
+        <translation>Karten (*.asc *.yaml *.yml)</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,14 @@
 # them into the program, at :/i18n.
 #
 # lupdate does not expand macros: the parameter table's short TR() is spelled out for it in a copy.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-  ${CMAKE_SOURCE_DIR}/core/pipeline/parameter_table.cpp)
-file(READ ${CMAKE_SOURCE_DIR}/core/pipeline/parameter_table.cpp parameter_texts)
+set(parameter_rows ${CMAKE_SOURCE_DIR}/core/pipeline/model_rows.h
+  ${CMAKE_SOURCE_DIR}/core/pipeline/sensing_rows.h)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${parameter_rows})
+set(parameter_texts "")
+foreach(rows IN LISTS parameter_rows)
+  file(READ ${rows} texts)
+  string(APPEND parameter_texts "${texts}")
+endforeach()
 string(REPLACE "TR(" "QT_TRANSLATE_NOOP(\"Parameters\", " parameter_texts "${parameter_texts}")
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/parameter_texts.cpp CONTENT "${parameter_texts}"
   @ONLY)

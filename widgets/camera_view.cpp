@@ -90,7 +90,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(pictureRect(), m_display->camera);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setClipRect(pictureRect());
-  drawLoad(painter);
+  drawWatched(painter);
   drawNearest(painter);
   const auto map = [this](const QPointF& pixel) { return toWidget(pixel); };
   drawTool(painter, *m_display, map, theme);
@@ -98,10 +98,17 @@ void CameraView::paintEvent(QPaintEvent*) {
   if (m_draft) drawDraft(painter, m_draft->box(), m_draft->isLargeEnough(), map, theme);
 }
 
-void CameraView::drawLoad(QPainter& painter) const {
-  const auto& load = m_display->result->load;
-  if (!load || !m_display->projection) return;
-  const auto corners = load->corners();
+void CameraView::drawWatched(QPainter& painter) const {
+  const Result& result = *m_display->result;
+  if (!m_display->projection) return;
+  if (result.load) drawBox(painter, *result.load);
+  for (const Watched& watched : result.watched) {
+    if (watched.object != WatchedObject::Load && watched.box) drawBox(painter, *watched.box);
+  }
+}
+
+void CameraView::drawBox(QPainter& painter, const OrientedBox& box) const {
+  const auto corners = box.corners();
   const auto& project = *m_display->projection;
   QList<QLineF> edges;
   for (unsigned k = 0; k < 8; ++k) {

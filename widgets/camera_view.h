@@ -54,7 +54,8 @@ class CameraView : public QWidget {
   QSize pictureSize() const;
   QPointF toWidget(const QPointF& pixel) const;
   QPoint pixelUnder(const QPointF& position) const;
-  void drawLoad(QPainter& painter) const;
+  void drawWatched(QPainter& painter) const;
+  void drawBox(QPainter& painter, const OrientedBox& box) const;
   void drawNearest(QPainter& painter) const;
   void drawCursor(QPainter& painter) const;
   void moveCursor(const QPoint& by);

@@ -236,6 +236,15 @@ WarningLevel DistanceBar::level() const {
   return m_display ? m_display->result->level : WarningLevel::NoDistance;
 }
 
+QString DistanceBar::leadText(const Result& result, const Nearest& nearest) {
+  if (nearest.unseen) return tr("to space never seen");
+  const Watched* leading =
+      result.leading < result.watched.size() ? &result.watched[result.leading] : nullptr;
+  const bool isLoad = !leading || leading->object == WatchedObject::Load;
+  return isLoad ? tr("to %1").arg(partText(nearest.part))
+                : tr("of the %1").arg(watchedText(*leading));
+}
+
 QString DistanceBar::hintText() const {
   const Nearest* found = nearest();
   if (!found && !nothingInRange()) {
@@ -247,16 +256,23 @@ QString DistanceBar::hintText() const {
   QStringList lines;
   if (found) {
     const double error = found->quantisation + result.depthUncertainty.value_or(0.0);
-    lines << tr("to %1").arg(partText(found->part));
+    lines << leadText(result, *found);
     lines << QStringLiteral("\u00b1 ") + metresText(error);
   } else {
     lines << nothingWithin();
+  }
+  if (const auto& evidence = result.clearance.evidence) {
+    lines << tr("evidence %1 %").arg(std::floor(evidence->confidence * 100.0));
+  }
+  for (std::size_t k = 0; k < result.watched.size(); ++k) {
+    if (k != result.leading) lines << watchedDistance(result.watched[k]);
   }
   if (result.approach && result.approach->timeToContact) {
     const double seconds = std::floor(*result.approach->timeToContact * 10.0) / 10.0;
     lines << tr("contact in %1 s").arg(QLocale().toString(seconds, 'f', 1));
   }
-  if (const auto share = result.clearance.observedShare) {
+  const bool ignored = result.parameters.clearance.unknownSpace == UnknownSpace::Ignore;
+  if (const auto share = result.clearance.observedShare; share && !ignored) {
     // Rounded down: everything was seen only when everything was seen.
     const int percent = static_cast<int>(std::floor(*share * 100.0 + 1e-9));
     lines << (percent >= 100 ? tr("all around it was seen")

@@ -38,6 +38,8 @@ class DistanceBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// What of what the distance is: a part of the load, the tool, the boom, or unseen space.
+  static QString leadText(const Result& result, const Nearest& nearest);
   const Nearest* nearest() const;
   bool nothingInRange() const;
   double searchedRange() const;

@@ -20,10 +20,13 @@ constexpr double largestScale = 64.0;  // pixels a cell
 constexpr double stripHeight = 24.0;   // the legend's
 constexpr double keptInSight = 32.0;   // of the map, while it is dragged
 
-/// The outline of the load as the model sees it, in metres: the hull of its projected corners.
-std::vector<cv::Point2f> footprint(const OrientedBox& load) {
+/// The outline of a box on the model's plane: the hull of its projected corners. Empty where the
+/// box reaches behind the camera of a perspective model.
+std::vector<cv::Point2f> footprint(const OrientedBox& box, const GridGeometry& geometry) {
   std::vector<cv::Point2f> corners;
-  for (const auto& c : load.corners()) {
+  for (const auto& corner : box.corners()) {
+    if (geometry.isPerspective() && corner.z() <= 0.0) return {};
+    const Eigen::Vector2d c = geometry.onPlane(corner);
     corners.emplace_back(static_cast<float>(c.x()), static_cast<float>(c.y()));
   }
   std::vector<cv::Point2f> hull;
@@ -112,7 +115,7 @@ std::optional<QPoint> MapView::cellAt(const QPointF& position) const {
 QPointF MapView::positionOf(double x, double y) const {
   if (!model()) return {};
   const GridGeometry& geometry = model()->geometry();
-  const QPointF metres(x - geometry.bounds().xMin, y - geometry.bounds().yMin);
+  const QPointF metres(x - geometry.plane().left, y - geometry.plane().top);
   return m_origin + metres * (m_scale / geometry.resolution());
 }
 
@@ -121,16 +124,27 @@ QString MapView::readout(const QPoint& cell) const {
   const GridGeometry& geometry = model()->geometry();
   const std::size_t k = geometry.index(cell.x(), cell.y());
   const CellState state = model()->state(cell.x(), cell.y());
-  QStringList words{QStringLiteral("x ") + metresText(geometry.xOf(cell.x())),
-                    QStringLiteral("y ") + metresText(geometry.yOf(cell.y()))};
+  QStringList words;
   if (state == CellState::Occupied) {
-    words << QStringLiteral("z ") + metresText(geometry.zOf(model()->levels()[k]));
+    const Eigen::Vector3d p = geometry.surfacePoint(cell.x(), cell.y(), model()->levels()[k]);
+    words << QStringLiteral("x ") + metresText(p.x()) << QStringLiteral("y ") + metresText(p.y())
+          << QStringLiteral("z ") + metresText(p.z());
+  } else if (geometry.isPerspective()) {
+    // A ray without a surface has no place, only a direction.
+    const double z = geometry.bounds().zMax / 2;
+    words << QStringLiteral("x/z ") + QLocale().toString(geometry.xOf(cell.x()) / z, 'f', 2)
+          << QStringLiteral("y/z ") + QLocale().toString(geometry.yOf(cell.y()) / z, 'f', 2);
+  } else {
+    words << QStringLiteral("x ") + metresText(geometry.xOf(cell.x()))
+          << QStringLiteral("y ") + metresText(geometry.yOf(cell.y()));
   }
   if (state != CellState::NeverObserved) {
     words << QStringLiteral("P ") +
                  QLocale().toString(static_cast<double>(model()->probabilities()[k]), 'f', 2);
   }
-  words << cellText(state);
+  const auto& suppressed = m_display->result->suppressed;
+  const bool small = std::binary_search(suppressed.begin(), suppressed.end(), k);
+  words << (small ? tr("too small to count") : cellText(state));
   return words.join(QStringLiteral("  "));
 }
 
@@ -187,14 +201,38 @@ void MapView::drawOverlay(QPainter& painter) const {
   for (const SearchRay& ray : result.clearance.rays) {
     painter.drawLine(positionOf(ray.from.x(), ray.from.y()), positionOf(ray.to.x(), ray.to.y()));
   }
-  if (result.load) {
+  drawSuppressed(painter);
+  const GridGeometry& geometry = model()->geometry();
+  const auto drawBox = [&](const OrientedBox& box) {
     QPolygonF outline;
-    for (const auto& corner : footprint(*result.load)) outline << positionOf(corner.x, corner.y);
-    drawMarkedPolygon(painter, outline, theme.load);
+    for (const auto& corner : footprint(box, geometry)) outline << positionOf(corner.x, corner.y);
+    if (!outline.isEmpty()) drawMarkedPolygon(painter, outline, theme.load);
+  };
+  if (result.load) drawBox(*result.load);
+  for (const Watched& watched : result.watched) {
+    if (watched.object != WatchedObject::Load && watched.box) drawBox(*watched.box);
   }
   if (const auto& nearest = result.clearance.nearest) {
-    drawNearestPair(painter, positionOf(nearest->onLoad.x(), nearest->onLoad.y()),
-                    positionOf(nearest->onEnvironment.x(), nearest->onEnvironment.y()), theme);
+    const auto place = [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector2d onPlane = geometry.onPlane(p);
+      return positionOf(onPlane.x(), onPlane.y());
+    };
+    drawNearestPair(painter, place(nearest->onLoad), place(nearest->onEnvironment), theme);
+  }
+}
+
+/// A hollow square about each cell that is too small to count: it is there, and it is left out.
+void MapView::drawSuppressed(QPainter& painter) const {
+  constexpr std::size_t most = 2000;  // more would hide the map, and take their time
+  const auto& cells = m_display->result->suppressed;
+  const auto columns = static_cast<std::size_t>(model()->geometry().columns());
+  painter.setPen(QPen(themeFor(palette()).canvasText, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  for (std::size_t n = 0; n < std::min(cells.size(), most); ++n) {
+    const QPointF cell(static_cast<double>(cells[n] % columns),
+                       static_cast<double>(cells[n] / columns));
+    const QRectF square(m_origin + cell * m_scale, QSizeF(m_scale, m_scale));
+    painter.drawRect(square.adjusted(-2, -2, 2, 2));
   }
 }
 

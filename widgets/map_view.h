@@ -30,6 +30,7 @@ class MapView : public QWidget {
   QPointF positionOf(double x, double y) const;
   /// Pixels a cell.
   double scale() const { return m_scale; }
+  /// In perspective a ray without a surface has "x/z 0.20  y/z -0.10" instead of a place.
   /// "x 1.20 m  y -0.30 m  z 3.70 m  P 0.62  occupied"; empty outside the map.
   QString readout(const QPoint& cell) const;
 
@@ -64,6 +65,7 @@ class MapView : public QWidget {
   double fittingScale() const;
   void drawCells(QPainter& painter);
   void drawOverlay(QPainter& painter) const;
+  void drawSuppressed(QPainter& painter) const;
   void drawStrip(QPainter& painter) const;
   void pan(const QPointF& by);
   void updateReadout();

@@ -20,6 +20,8 @@ QString prefixOf(SourceKind kind) {
       return QStringLiteral("cloud:");
     case SourceKind::Depth:
       return QStringLiteral("depth:");
+    case SourceKind::Map:
+      return QStringLiteral("map:");
     case SourceKind::Camera:
       return QStringLiteral("camera:");
   }
@@ -34,6 +36,8 @@ QString hintOf(SourceKind kind) {
       return SourceDialog::tr("A PCD or PLY file, or a folder of them");
     case SourceKind::Depth:
       return SourceDialog::tr("A folder with colour and depth pictures");
+    case SourceKind::Map:
+      return SourceDialog::tr("A height or depth map: an ASCII grid, or a YAML file about one");
     case SourceKind::Camera:
       return SourceDialog::tr("LEFT,RIGHT: device numbers or stream addresses, or one of both");
   }
@@ -53,7 +57,7 @@ SourceDialog::SourceDialog(SourceKind kind, QWidget* parent)
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Open a source"));
   m_kind->addItems(
-      {tr("Stereo recording"), tr("Point clouds"), tr("Depth recording"), tr("Camera")});
+      {tr("Stereo recording"), tr("Point clouds"), tr("Depth recording"), tr("Map"), tr("Camera")});
   m_kind->setCurrentIndex(static_cast<int>(kind));
   layOut();
   wire();
@@ -98,8 +102,9 @@ void SourceDialog::adapt() {
   const bool camera = kind() == SourceKind::Camera;
   const bool stereo = camera || kind() == SourceKind::Stereo;
   m_path->setPlaceholderText(hintOf(kind()));
-  m_folder->setEnabled(!camera);
-  m_file->setEnabled(kind() == SourceKind::Cloud);
+  const bool map = kind() == SourceKind::Map;
+  m_folder->setEnabled(!camera && !map);
+  m_file->setEnabled(map || kind() == SourceKind::Cloud);
   m_calibration->setEnabled(stereo);
   m_calibrationFile->setEnabled(stereo);
   m_buttons->button(QDialogButtonBox::Open)->setEnabled(!address().isEmpty());
@@ -120,8 +125,10 @@ void SourceDialog::browseFolder() {
 }
 
 void SourceDialog::browseFile() {
-  const QString chosen = QFileDialog::getOpenFileName(this, windowTitle(), m_path->text(),
-                                                      tr("Point clouds (*.pcd *.ply)"));
+  const bool map = kind() == SourceKind::Map;
+  const QString chosen = QFileDialog::getOpenFileName(
+      this, windowTitle(), m_path->text(),
+      map ? tr("Maps (*.asc *.yaml *.yml)") : tr("Point clouds (*.pcd *.ply)"));
   if (!chosen.isEmpty()) m_path->setText(chosen);
 }
 

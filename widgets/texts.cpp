@@ -34,6 +34,8 @@ QString reasonTitle(Reason reason) {
       return Texts::tr("Load not seen");
     case Reason::LoadOutside:
       return Texts::tr("Load out of bounds");
+    case Reason::ToolNotSeen:
+      return Texts::tr("Tool not seen");
     case Reason::NoModel:
       return Texts::tr("Model is building");
     case Reason::SearchTooShort:
@@ -69,6 +71,10 @@ QString reasonText(Reason reason) {
       return Texts::tr("The load is not seen at the tool. Turn the tool, or give its sizes.");
     case Reason::LoadOutside:
       return Texts::tr("The load is not inside the bounds. Move it or widen the bounds.");
+    case Reason::ToolNotSeen:
+      return Texts::tr(
+          "Tool or boom are watched, but not found in the cloud. Track the tool, or watch the load "
+          "alone.");
     case Reason::NoModel:
       return Texts::tr("Too few frames so far. Wait a moment; if it stays so, lower probtresh.");
     case Reason::SearchTooShort:
@@ -147,6 +153,31 @@ QString partText(LoadPart part) {
       return Texts::tr("an edge of the load");
     case LoadPart::Corner:
       return Texts::tr("a corner of the load");
+  }
+  return {};
+}
+
+QString watchedText(const Watched& watched) {
+  switch (watched.object) {
+    case WatchedObject::Load:
+      return Texts::tr("load");
+    case WatchedObject::Tool:
+      return Texts::tr("tool");
+    case WatchedObject::Boom:
+      return watched.segment > 0 ? Texts::tr("boom %1").arg(watched.segment) : Texts::tr("boom");
+  }
+  return {};
+}
+
+QString watchedDistance(const Watched& watched) {
+  const QString name = watchedText(watched);
+  switch (watched.clearance.state) {
+    case ClearanceState::Measured:
+      return Texts::tr("%1: %2").arg(name, metresText(watched.clearance.nearest->distance));
+    case ClearanceState::NothingInRange:
+      return Texts::tr("%1: nothing in range").arg(name);
+    case ClearanceState::Unknown:
+      return Texts::tr("%1: %2").arg(name, reasonTitle(watched.clearance.reason));
   }
   return {};
 }

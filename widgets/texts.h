@@ -7,6 +7,7 @@
 #include "frame/clearance.h"
 #include "load/load_detection.h"
 #include "pipeline/warning.h"
+#include "pipeline/watched.h"
 
 namespace boomwatch {
 
@@ -23,6 +24,10 @@ QString levelText(WarningLevel level);
 QString stageText(std::string_view stage);
 QString partText(LoadPart part);
 QString cellText(CellState state);
+/// "boom 2".
+QString watchedText(const Watched& watched);
+/// "boom 2: 1.20 m", or why there is no distance.
+QString watchedDistance(const Watched& watched);
 
 /// "3.70 m": in the user's locale, with a fixed number of digits.
 QString metresText(double metres);

@@ -134,8 +134,16 @@ void VtkScene::showBoxes() {
   const Result* result = m_display ? m_display->result.get() : nullptr;
   showLines(m_boundsBox,
             result ? edgesOf(boxOf(m_bounds).corners()) : std::vector<Eigen::Vector3d>());
-  const bool load = result && result->load;
-  showLines(m_loadBox, load ? edgesOf(result->load->corners()) : std::vector<Eigen::Vector3d>());
+  std::vector<Eigen::Vector3d> edges;
+  const auto add = [&](const OrientedBox& box) {
+    const auto more = edgesOf(box.corners());
+    edges.insert(edges.end(), more.begin(), more.end());
+  };
+  if (result && result->load) add(*result->load);
+  for (const Watched& watched : result ? result->watched : std::vector<Watched>()) {
+    if (watched.object != WatchedObject::Load && watched.box) add(*watched.box);
+  }
+  showLines(m_loadBox, edges);
 }
 
 void VtkScene::showNearest() {

@@ -1,5 +1,7 @@
 #include "collision/approach.h"
 
+#include <algorithm>
+
 namespace boomwatch {
 
 using Eigen::Vector3d;
@@ -31,7 +33,9 @@ std::optional<Vector3d> LoadMotion::update(double stamp, const Vector3d& centre)
 
 std::optional<double> timeToContact(const ExactClearance& exact, const OrientedBox& load,
                                     const Vector3d& velocity, double horizon) {
-  // Along a surface that it nearly touches, the load advances by little more than a cell a step.
+  // Along a surface that it nearly touches, the load would advance by next to nothing a step. Going
+  // this far instead, it may enter by as much, but not pass through: that is seen a step later.
+  const double shortestStep = std::clamp(load.size.minCoeff() / 2, 0.01, 0.05);
   constexpr int mostSteps = 500;
   const double speed = velocity.norm();
   if (!(speed > 0.0)) return std::nullopt;
@@ -43,7 +47,7 @@ std::optional<double> timeToContact(const ExactClearance& exact, const OrientedB
     if (!clearance.nearest) return std::nullopt;
     const Nearest& nearest = *clearance.nearest;
     if (nearest.distance <= nearest.quantisation) return time;
-    time += nearest.distance / speed;
+    time += std::max(nearest.distance, shortestStep) / speed;
   }
   // Never so many steps but close to a surface: as good as a contact.
   return time <= horizon ? std::optional(time) : std::nullopt;

@@ -55,14 +55,28 @@ std::size_t floorCount(int columns, int rows) {
   return count;
 }
 
+void fillUnseen(std::span<const float> probabilities, std::vector<std::uint8_t>& levels) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (levels[k] == 0 && !(probabilities[k] > 0.0F)) levels[k] = 1;
+  }
+}
+
 }  // namespace
 
-void DepthPyramid::rebuild(const EnvironmentModel& model) {
+void DepthPyramid::rebuild(const EnvironmentModel& model, std::span<const std::size_t> without,
+                           bool solid) {
   m_geometry = model.geometry();
-  const auto levels = model.levels();
+  m_solid = solid;
+  std::span<const std::uint8_t> levels = model.levels();
   if (levels.empty()) {
     m_floors.clear();
     return;
+  }
+  if (solid || !without.empty()) {
+    m_farthest.assign(levels.begin(), levels.end());
+    if (solid) fillUnseen(model.probabilities(), m_farthest);
+    for (const std::size_t k : without) m_farthest[k] = 0;
+    levels = m_farthest;
   }
   m_floors.resize(floorCount(m_geometry.columns(), m_geometry.rows()));
   Floor& cells = m_floors.front();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "environment/environment_model.h"
@@ -32,9 +34,15 @@ class DepthPyramid {
     }
   };
 
-  /// Takes a copy of the model's levels; uses the memory of the last time again.
-  void rebuild(const EnvironmentModel& model);
+  /// Takes a copy of the model's levels; uses the memory of the last time again. The cells
+  /// `without` count as free.
+  ///
+  /// `solid`: what was never seen is taken for solid. A cell that was never observed is filled from
+  /// level 1 on, and every cell that is not free down to level 255.
+  void rebuild(const EnvironmentModel& model, std::span<const std::size_t> without = {},
+               bool solid = false);
 
+  bool isSolid() const { return m_solid; }
   const GridGeometry& geometry() const { return m_geometry; }
   /// From the cells to a single block, at least two; none when the model has no cells.
   const std::vector<Floor>& floors() const { return m_floors; }
@@ -42,6 +50,8 @@ class DepthPyramid {
  private:
   GridGeometry m_geometry;
   std::vector<Floor> m_floors;
+  std::vector<std::uint8_t> m_farthest;  ///< scratch: of floor 0, where that is not the model's
+  bool m_solid = false;
 };
 
 }  // namespace boomwatch

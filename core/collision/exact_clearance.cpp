@@ -7,41 +7,12 @@
 
 #include "collision/depth_pyramid.h"
 #include "collision/nearest_pair.h"
+#include "collision/search_target.h"
 
 namespace boomwatch {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// A box as a search needs it. Distances are squared.
-class Target {
- public:
-  explicit Target(const OrientedBox& box)
-      : m_centre(box.centre),
-        m_half(box.size / 2),
-        m_outerHalf(box.rotation.cwiseAbs() * m_half),
-        m_toBox(box.rotation.transpose()),
-        m_toBoxExtent(m_toBox.cwiseAbs()) {}
-
-  double distanceTo(const Vector3d& p) const {
-    return ((m_toBox * (p - m_centre)).cwiseAbs() - m_half).cwiseMax(0).squaredNorm();
-  }
-
-  // Never more than the distance to any point of the block centre +- extent: the larger of two
-  // gaps, that along the model's axes (the box in its hull) and that along the box's (the block in
-  // its hull).
-  double lowerBound(const Vector3d& centre, const Vector3d& extent) const {
-    const Vector3d offset = centre - m_centre;
-    const Vector3d alongModel = offset.cwiseAbs() - extent - m_outerHalf;
-    const Vector3d alongBox = (m_toBox * offset).cwiseAbs() - m_toBoxExtent * extent - m_half;
-    return std::max(alongModel.cwiseMax(0).squaredNorm(), alongBox.cwiseMax(0).squaredNorm());
-  }
-
- private:
-  Vector3d m_centre, m_half, m_outerHalf;
-  Matrix3d m_toBox, m_toBoxExtent;
-};
 
 struct Block {
   double bound;  // squared
@@ -92,18 +63,31 @@ class Search {
     const int shift = floor * DepthPyramid::fanBits;
     const int lastColumn = std::min((column + 1) << shift, m_geometry.columns()) - 1;
     const int lastRow = std::min((row + 1) << shift, m_geometry.rows()) - 1;
-    const Vector3d low =
-        m_geometry.surfacePoint(column << shift, row << shift, blocks.nearest[k] + 1);
-    const Vector3d high = m_geometry.surfacePoint(lastColumn, lastRow, blocks.farthest[k]);
+    const int farthest = m_pyramid.isSolid() ? GridGeometry::levels : blocks.farthest[k];
+    Vector3d low = m_geometry.surfacePoint(column << shift, row << shift, blocks.nearest[k] + 1);
+    Vector3d high = m_geometry.surfacePoint(lastColumn, lastRow, farthest);
+    if (m_geometry.isPerspective()) spread(low, high);
     const double bound = m_target.lowerBound((low + high) / 2, (high - low) / 2);
     if (bound < m_cutOff) m_queue.push({bound, floor, column, row});
+  }
+
+  // Rays spread: what is the hull of a block's ends at one depth need not be so at the other.
+  void spread(Vector3d& low, Vector3d& high) const {
+    const double growth = high.z() / low.z();
+    const Eigen::Vector2d lowFar = low.head<2>() * growth, highNear = high.head<2>() / growth;
+    low.head<2>() = low.head<2>().cwiseMin(lowFar);
+    high.head<2>() = high.head<2>().cwiseMax(highNear);
   }
 
   void lookAt(int column, int row) {
     const auto& cells = m_pyramid.floors().front();
     const std::uint8_t stored = cells.nearest[cells.index(column, row)];
     if (stored == DepthPyramid::empty) return;
-    const Vector3d surface = m_geometry.surfacePoint(column, row, stored + 1);
+    Vector3d surface = m_geometry.surfacePoint(column, row, stored + 1);
+    if (m_pyramid.isSolid()) {
+      const Vector3d end = m_geometry.surfacePoint(column, row, GridGeometry::levels);
+      surface = m_target.nearestOnLine(surface, end);
+    }
     const double squared = m_target.distanceTo(surface);
     if (squared >= m_best) return;
     setBest(squared);
@@ -122,7 +106,7 @@ class Search {
 
   const DepthPyramid& m_pyramid;
   const GridGeometry& m_geometry;
-  Target m_target;
+  SearchTarget m_target;
   std::priority_queue<Block> m_queue;
   std::optional<Vector3d> m_nearest;
   double m_best = 0, m_cutOff = 0;
@@ -137,9 +121,10 @@ ExactClearance::~ExactClearance() = default;
 ExactClearance::ExactClearance(ExactClearance&&) noexcept = default;
 ExactClearance& ExactClearance::operator=(ExactClearance&&) noexcept = default;
 
-void ExactClearance::rebuild(const EnvironmentModel& model) {
+void ExactClearance::rebuild(const EnvironmentModel& model, std::span<const std::size_t> without,
+                             bool solid) {
   if (!m_pyramid) m_pyramid = std::make_unique<Pyramid>();
-  m_pyramid->rebuild(model);
+  m_pyramid->rebuild(model, without, solid);
 }
 
 Clearance ExactClearance::query(const OrientedBox& box, double range) const {

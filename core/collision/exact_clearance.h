@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
 #include "environment/environment_model.h"
 #include "frame/clearance.h"
@@ -21,7 +23,11 @@ class ExactClearance {
   ExactClearance(ExactClearance&&) noexcept;
   ExactClearance& operator=(ExactClearance&&) noexcept;
 
-  void rebuild(const EnvironmentModel& model);
+  /// The cells `without` (indices) count as free. `solid`: what was never seen is taken for solid,
+  /// which is every cell that was never observed, from zMin on, and all that lies behind a surface,
+  /// to zMax: the distance is then that to the line through a cell's centre.
+  void rebuild(const EnvironmentModel& model, std::span<const std::size_t> without = {},
+               bool solid = false);
 
   /// Measured, or NothingInRange when the nearest cell is farther than `range` metres (not a
   /// number: no limit). Unknown only for what cannot be searched: NoModel before the first

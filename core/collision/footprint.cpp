@@ -23,9 +23,13 @@ void addHalfHull(Iterator begin, Iterator end, std::vector<Vector2d>& hull) {
   hull.pop_back();  // the other half begins with it
 }
 
-std::vector<Vector2d> hullOf(const OrientedBox& box) {
+std::vector<Vector2d> seenAlongZ(const OrientedBox& box) {
   std::vector<Vector2d> points;
   for (const auto& corner : box.corners()) points.push_back(corner.head<2>());
+  return points;
+}
+
+std::vector<Vector2d> hullOf(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
@@ -39,7 +43,9 @@ std::vector<Vector2d> hullOf(const OrientedBox& box) {
 
 }  // namespace
 
-Footprint::Footprint(const OrientedBox& box, double reach) : m_hull(hullOf(box)), m_reach(reach) {}
+Footprint::Footprint(const OrientedBox& box, double reach) : Footprint(seenAlongZ(box), reach) {}
+Footprint::Footprint(std::vector<Vector2d> points, double reach)
+    : m_hull(hullOf(std::move(points))), m_reach(reach) {}
 
 Footprint::Interval Footprint::rows() const {
   const auto [low, high] =

@@ -18,6 +18,8 @@ class Footprint {
 
   /// `reach` must not be negative.
   Footprint(const OrientedBox& box, double reach);
+  /// Of any points of a plane, at least one.
+  Footprint(std::vector<Eigen::Vector2d> points, double reach);
 
   /// The y between which it lies.
   Interval rows() const;

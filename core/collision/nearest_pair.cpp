@@ -25,8 +25,7 @@ bool isUsable(const OrientedBox& box) {
 
 Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
                     const Eigen::Vector3d& onLoad, const Eigen::Vector3d& onEnvironment) {
-  const Eigen::Vector3d halfCell =
-      Eigen::Vector3d(geometry.resolution(), geometry.resolution(), geometry.levelStep()) / 2;
+  const Eigen::Vector3d halfCell = geometry.cellExtent(onEnvironment) / 2;
   const Eigen::Vector3d line = onEnvironment - onLoad;
   const double distance = line.norm();
   if (distance == 0) return {0, onLoad, onEnvironment, LoadPart::Inside, halfCell.norm()};
@@ -36,7 +35,7 @@ Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
 
 Clearance clearanceFrom(const std::optional<Nearest>& nearest) {
   const auto state = nearest ? ClearanceState::Measured : ClearanceState::NothingInRange;
-  return {state, Reason::None, nearest, {}, {}};
+  return {state, Reason::None, nearest, {}, {}, {}};
 }
 
 }  // namespace boomwatch

@@ -12,7 +12,8 @@ bool isUsable(const OrientedBox& box);
 
 /// Describes the shortest line between a point of the solid box and a cell's surface point: its
 /// length, the part of the box that `onLoad` lies on, and what quantisation alone can change:
-/// half a cell's extent along the line's direction n, |n.x| R/2 + |n.y| R/2 + |n.z| step/2; where
+/// half a cell's extent along the line's direction n, |n.x| R/2 + |n.y| R/2 + |n.z| step/2 (in
+/// perspective with a cell's size there); where
 /// the points coincide, half the cell's diagonal. Camera frame, metres. Pure.
 Nearest nearestPair(const GridGeometry& geometry, const OrientedBox& box,
                     const Eigen::Vector3d& onLoad, const Eigen::Vector3d& onEnvironment);

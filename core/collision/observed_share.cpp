@@ -27,7 +27,7 @@ class Count {
   // Absent when no cell's centre lies within the footprint.
   std::optional<double> share() {
     const auto [low, high] = m_footprint.rows();
-    const Span rows(low, high, m_geometry.bounds().yMin, m_geometry.resolution());
+    const Span rows(low, high, m_geometry.plane().top, m_geometry.resolution());
     const double end = m_geometry.rows();
     countOutside(rows.first, std::min(rows.last, -1.0));
     const int first = static_cast<int>(std::clamp(rows.first, 0.0, end));
@@ -40,10 +40,10 @@ class Count {
 
  private:
   std::optional<Span> columnsOf(double row) const {
-    const double y = m_geometry.bounds().yMin + (row + 0.5) * m_geometry.resolution();
+    const double y = m_geometry.plane().top + (row + 0.5) * m_geometry.resolution();
     const auto x = m_footprint.at(y);
     if (!x) return std::nullopt;
-    return Span(x->low, x->high, m_geometry.bounds().xMin, m_geometry.resolution());
+    return Span(x->low, x->high, m_geometry.plane().left, m_geometry.resolution());
   }
 
   void countRow(int row) {
@@ -100,10 +100,16 @@ double ObservedShare::query(const OrientedBox& box, double reach) const {
   double nearestZ = m_geometry.bounds().zMax;
   for (const auto& corner : box.corners()) nearestZ = std::min(nearestZ, corner.z());
   const std::uint8_t boxLevel = m_geometry.levelOf(nearestZ);
-  const Footprint footprint(box, std::max(reach, 0.0));
+  if (m_geometry.isPerspective() && !(nearestZ > m_geometry.bounds().zMin)) return 0;
+  std::vector<Eigen::Vector2d> outline;
+  for (const auto& corner : box.corners()) outline.push_back(m_geometry.onPlane(corner));
+  // A ray that comes within the reach of the box comes as near on the plane as where it is nearest.
+  const double onPlane = std::max(reach, 0.0) * m_geometry.toPlane(nearestZ);
+  const Footprint footprint(std::move(outline), onPlane);
   const auto share = Count(m_geometry, m_seenTo, boxLevel, footprint).share();
   if (share) return *share;
-  const int column = m_geometry.columnOf(box.centre.x()), row = m_geometry.rowOf(box.centre.y());
+  const Eigen::Vector2d centre = m_geometry.onPlane(box.centre);
+  const int column = m_geometry.columnOf(centre.x()), row = m_geometry.rowOf(centre.y());
   if (!m_geometry.contains(column, row)) return 0;
   return m_seenTo[m_geometry.index(column, row)] >= boxLevel;
 }

@@ -12,6 +12,8 @@ namespace boomwatch {
 /// was ever seen in it, and where its surface lies nearer to the camera than all of the box: what
 /// is beside the box there is hidden behind that surface (the 2.5-D limit, method.md section 6).
 ///
+/// In perspective cells are rays, and the reach is that of the box's point nearest to the camera.
+///
 /// rebuild() after an update of the model, then query() as often as wanted; query() is const and
 /// may run on several threads at once. Keeps a byte a cell: the model may go.
 class ObservedShare {

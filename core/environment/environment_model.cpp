@@ -41,13 +41,18 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
 
 std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
     int begin, int end, std::span<const Eigen::Vector3f> masked) const {
+  // A load that enters an obstacle is seen a little behind its surface, with the noise of depth.
+  constexpr double room = 0.25;  // metres
   std::vector<HiddenCell> hidden;
   for (const Eigen::Vector3f& point : masked) {
-    const double row = m_geometry.rowPosition(point.y());
-    const double column = m_geometry.columnPosition(point.x());
+    const double toPlane = m_geometry.toPlane(point.z());
+    const double row = m_geometry.rowPosition(point.y() * toPlane);
+    const double column = m_geometry.columnPosition(point.x() * toPlane);
     if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
     const std::size_t k = m_geometry.index(static_cast<int>(column), static_cast<int>(row));
-    if (m_nearness[k] == 0) hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    // Farther away than the cell's surface it does not hide it: it is seen where that should be.
+    const bool behind = m_levels[k] > 0 && point.z() > m_geometry.zOf(m_levels[k]) + room;
+    if (m_nearness[k] == 0 && !behind) hidden.push_back({k, m_probabilities[k], m_levels[k]});
   }
   return hidden;
 }
@@ -58,20 +63,21 @@ void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Ve
   std::uint8_t* const nearness = m_nearness.data();
   float* const probabilities = m_probabilities.data();
   const double columns = grid.columns();
-  const double zMin = grid.bounds().zMin;
-  const double zMax = grid.bounds().zMax;
+  const Bounds& bounds = grid.bounds();
+  const bool perspective = grid.isPerspective();
   for (const Eigen::Vector3f& point : points) {
-    const double row = grid.rowPosition(point.y());        // Eq. (11)
-    const double column = grid.columnPosition(point.x());  // Eq. (10)
+    const double toPlane = grid.toPlane(point.z());
+    const double row = grid.rowPosition(point.y() * toPlane);        // Eq. (11)
+    const double column = grid.columnPosition(point.x() * toPlane);  // Eq. (10)
     // Written so that a NaN fails, and that nothing is converted that does not fit.
     if (!(row >= begin && row < end && column >= 0.0 && column < columns)) continue;
     const std::size_t k = grid.index(static_cast<int>(column), static_cast<int>(row));
     const double z = point.z();
-    if (z >= zMin && z <= zMax) {
+    if (perspective ? bounds.contains(point) : z >= bounds.zMin && z <= bounds.zMax) {
       // Nearer is larger, so that 0 can mean "not measured" and the nearest wins by a maximum.
       const auto here = static_cast<std::uint8_t>(256 - grid.levelOf(z));
       nearness[k] = std::max(nearness[k], here);
-    } else if (z > zMax && std::isfinite(z)) {
+    } else if (z > (perspective ? bounds.zMin : bounds.zMax) && std::isfinite(z)) {
       probabilities[k] = std::max(probabilities[k], seenThrough);
     }
   }

@@ -29,11 +29,13 @@ class EnvironmentModel {
 
   /// One frame: crops to the bounds, projects (nearest point of a cell wins), then the update.
   /// Points that are not finite or lie before zMin are ignored. A point beyond zMax but inside the
-  /// bounds in x and y shows that its cell was looked through: observed, and free in this frame.
+  /// bounds in x and y shows that its cell was looked through: observed, and free in this frame. In
+  /// perspective so does one that lies outside the bounds in x or y.
   ///
   /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
   /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
-  /// is, so that an obstacle is not forgotten in the moment in which the load enters it.
+  /// is, so that an obstacle is not forgotten in the moment in which the load enters it. One that
+  /// lies behind the cell's surface hides nothing: that has gone.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
               std::span<const Eigen::Vector3f> masked = {});
 

@@ -7,29 +7,58 @@
 #include <cstdint>
 
 #include "frame/bounds.h"
+#include "frame/model_projection.h"
 
 namespace boomwatch {
 
 /// How metres and cells belong together (method.md section 6, Eq. 6, 10-11 with the errata).
 ///
-/// Column i grows with x, row j with y; cell (i, j) covers [xMin + iR, xMin + (i+1)R) and so on.
-/// What lies on an edge, to a billionth of a cell, belongs to the cell that begins there. Depth
-/// level 0 means "no measurement"; levels 1..255 mean z = zMin + level (zMax - zMin) / 255.
+/// Column i grows with x, row j with y; cell (i, j) covers [left + iR, left + (i+1)R) of the
+/// model's plane, and so on. What lies on an edge, to a billionth of a cell, belongs to the cell
+/// that begins there. Depth level 0 means "no measurement"; levels 1..255 mean z = zMin + level
+/// (zMax - zMin) / 255.
+///
+/// Parallel: the plane is x-y, and `left` is xMin. Perspective: the plane lies at half of zMax, and
+/// points go to it along their rays, x zMax/2 / z; it covers what the bounds can hold, up to 56
+/// degrees from the axis on each side. R is a cell's side on the plane; a cell grows with z.
 class GridGeometry {
  public:
   static constexpr double bytesPerCell = 5.0;  ///< float probability and 8-bit level
   static constexpr int levels = 255;
 
+  /// The part of the model's plane that cells cover, metres.
+  struct Plane {
+    double left, right, top, bottom;
+    bool operator==(const Plane&) const = default;
+  };
+
+  static Plane planeOf(const Bounds& b, ModelProjection projection) {
+    if (projection == ModelProjection::Parallel) return {b.xMin, b.xMax, b.yMin, b.yMax};
+    constexpr double widest = 1.5;  // tangent of the angle to the axis
+    // A ray that meets [low, high] anywhere between zMin and zMax has a tangent between these.
+    const auto tangent = [&](double side, bool outwards) {
+      const double z = outwards ? std::max(b.zMin, 1e-3) : b.zMax;
+      return within(side / z, -widest, widest) * b.zMax / 2;
+    };
+    return {tangent(b.xMin, b.xMin < 0.0), tangent(b.xMax, b.xMax > 0.0),
+            tangent(b.yMin, b.yMin < 0.0), tangent(b.yMax, b.yMax > 0.0)};
+  }
+
   GridGeometry() : GridGeometry(Bounds{}, 0.04) {}
-  GridGeometry(const Bounds& bounds, double resolution)
+  GridGeometry(const Bounds& bounds, double resolution,
+               ModelProjection projection = ModelProjection::Parallel)
       : m_bounds(bounds),
+        m_plane(planeOf(bounds, projection)),
+        m_planeZ(projection == ModelProjection::Perspective ? bounds.zMax / 2 : 0.0),
         m_resolution(resolution),
         m_cellsPerMetre(1.0 / resolution),
         m_levelsPerMetre(levels / (bounds.zMax - bounds.zMin)),
-        m_columns(cells(bounds.xMax - bounds.xMin, resolution)),
-        m_rows(cells(bounds.yMax - bounds.yMin, resolution)) {}
+        m_columns(cells(m_plane.right - m_plane.left, resolution)),
+        m_rows(cells(m_plane.bottom - m_plane.top, resolution)) {}
 
   const Bounds& bounds() const { return m_bounds; }
+  const Plane& plane() const { return m_plane; }
+  bool isPerspective() const { return m_planeZ > 0.0; }
   double resolution() const { return m_resolution; }
   int columns() const { return m_columns; }
   int rows() const { return m_rows; }
@@ -46,10 +75,15 @@ class GridGeometry {
   /// Metres a depth level is deep.
   double levelStep() const { return (m_bounds.zMax - m_bounds.zMin) / levels; }
 
-  /// Where a coordinate lies in cells: its whole part is the column, or the row. Not rounded, so
-  /// that a hot loop can compare before it converts.
-  double columnPosition(double x) const { return (x - m_bounds.xMin) * m_cellsPerMetre + onEdge; }
-  double rowPosition(double y) const { return (y - m_bounds.yMin) * m_cellsPerMetre + onEdge; }
+  /// By what x and y at depth z (above 0 in perspective) grow on their way to the model's plane.
+  double toPlane(double z) const { return isPerspective() ? m_planeZ / z : 1.0; }
+  /// Camera frame to the model's plane, metres.
+  Eigen::Vector2d onPlane(const Eigen::Vector3d& p) const { return p.head<2>() * toPlane(p.z()); }
+
+  /// Where a coordinate of the plane lies in cells: its whole part is the column, or the row. Not
+  /// rounded, so that a hot loop can compare before it converts.
+  double columnPosition(double x) const { return (x - m_plane.left) * m_cellsPerMetre + onEdge; }
+  double rowPosition(double y) const { return (y - m_plane.top) * m_cellsPerMetre + onEdge; }
   /// Any number will do; one far outside the bounds (or NaN) gives a column far outside.
   int columnOf(double x) const { return whole(columnPosition(x)); }
   int rowOf(double y) const { return whole(rowPosition(y)); }
@@ -58,12 +92,25 @@ class GridGeometry {
     const double level = (z - m_bounds.zMin) * m_levelsPerMetre + 0.5;
     return static_cast<std::uint8_t>(static_cast<int>(within(level, 1.0, 255.0)));
   }
-  double xOf(int column) const { return m_bounds.xMin + (column + 0.5) * m_resolution; }
-  double yOf(int row) const { return m_bounds.yMin + (row + 0.5) * m_resolution; }
+  /// Centre of a cell on the plane.
+  double xOf(int column) const { return m_plane.left + (column + 0.5) * m_resolution; }
+  double yOf(int row) const { return m_plane.top + (row + 0.5) * m_resolution; }
   double zOf(int level) const { return m_bounds.zMin + level * levelStep(); }
   /// Centre of the surface of a cell whose depth level is `level`. Camera frame, metres.
   Eigen::Vector3d surfacePoint(int column, int row, int level) const {
-    return {xOf(column), yOf(row), zOf(level)};
+    const double z = zOf(level);
+    const double fromPlane = 1.0 / toPlane(z);
+    return {xOf(column) * fromPlane, yOf(row) * fromPlane, z};
+  }
+  /// Metres a cell is wide and high at depth z.
+  double cellSize(double z) const { return m_resolution / toPlane(z); }
+  /// How far a cell and a depth level reach along x, y and z around a surface point, metres.
+  Eigen::Vector3d cellExtent(const Eigen::Vector3d& surface) const {
+    Eigen::Vector3d extent(cellSize(surface.z()), cellSize(surface.z()), levelStep());
+    if (isPerspective()) {
+      extent.head<2>() += surface.head<2>().cwiseAbs() * (levelStep() / surface.z());
+    }
+    return extent;
   }
 
   bool operator==(const GridGeometry&) const = default;
@@ -85,6 +132,8 @@ class GridGeometry {
   }
 
   Bounds m_bounds;
+  Plane m_plane;
+  double m_planeZ;  ///< 0: parallel
   double m_resolution;
   double m_cellsPerMetre;
   double m_levelsPerMetre;

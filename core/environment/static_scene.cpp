@@ -12,14 +12,19 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Sorts the measured points into those inside the bounds and those behind them.
-void crop(const Cloud& cloud, const Bounds& bounds, Points& inside, Points& beyond) {
+/// Sorts the measured points into those inside the bounds and those behind them: on their way along
+/// z or, in perspective, along their ray.
+void crop(const Cloud& cloud, const Bounds& bounds, ModelProjection projection, Points& inside,
+          Points& beyond) {
+  const bool perspective = projection == ModelProjection::Perspective;
   inside.reserve(cloud.size());
   for (const Vector3f& p : cloud.points) {
     if (!isMeasured(p)) continue;
     if (bounds.contains(p)) {
       inside.push_back(p);
-    } else if (p.z() > bounds.zMax && bounds.contains({p.x(), p.y(), float(bounds.zMin)})) {
+    } else if (perspective
+                   ? p.z() > bounds.zMin
+                   : p.z() > bounds.zMax && bounds.contains({p.x(), p.y(), float(bounds.zMin)})) {
       beyond.push_back(p);
     }
   }
@@ -61,9 +66,10 @@ bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const B
          (2 * sizes.x() > bounds.xMax - bounds.xMin && 2 * sizes.y() > bounds.yMax - bounds.yMin);
 }
 
-/// Finds the tool's box among the clusters of `points`, whose labels fit them.
-void maskTool(StaticScene& scene, const Points& points, const Clusters& clusters,
-              const Vector3f& tool, const Parameters& parameters) {
+/// Finds the tool's box among the clusters of `points`, whose labels fit them. Returns its cluster.
+std::optional<std::size_t> maskTool(StaticScene& scene, const Points& points,
+                                    const Clusters& clusters, const Vector3f& tool,
+                                    const Parameters& parameters) {
   std::vector<ClusterShape> shapes(clusters.sizes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
@@ -75,12 +81,15 @@ void maskTool(StaticScene& scene, const Points& points, const Clusters& clusters
   const ClusterShape* const found = nearestAtTool(shapes, tool, reach);
   if (found == nullptr) {
     scene.toolMask = ToolMask::NothingThere;
-  } else if (swallowsScene(found->box, points, parameters.bounds)) {
-    scene.toolMask = ToolMask::TooLarge;
-  } else {
-    scene.toolMask = ToolMask::Taken;
-    scene.toolBox = {found->box.min().cast<double>(), found->box.max().cast<double>()};
+    return std::nullopt;
   }
+  if (swallowsScene(found->box, points, parameters.bounds)) {
+    scene.toolMask = ToolMask::TooLarge;
+    return std::nullopt;
+  }
+  scene.toolMask = ToolMask::Taken;
+  scene.toolBox = {found->box.min().cast<double>(), found->box.max().cast<double>()};
+  return static_cast<std::size_t>(found - shapes.data());
 }
 
 }  // namespace
@@ -105,7 +114,7 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
   const Bounds& bounds = parameters.bounds;
   StaticScene scene;
   Points points;
-  crop(cloud, bounds, points, scene.beyond);
+  crop(cloud, bounds, parameters.model.projection, points, scene.beyond);
 
   const auto reprojected = [&](Vector3f p) {
     if (filter.zReprojection) p.z() = static_cast<float>(*filter.zReprojection);
@@ -118,12 +127,15 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
 
   const double tolerance = std::max(filter.clusterTolerance, 2.0 * parameters.model.resolution);
   const Clusters clusters = euclideanClusters(points, static_cast<float>(tolerance));
-  if (tool) maskTool(scene, points, clusters, reprojected(*tool), parameters);
+  std::optional<std::size_t> toolCluster;
+  if (tool) toolCluster = maskTool(scene, points, clusters, reprojected(*tool), parameters);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (clusters.sizes[static_cast<std::size_t>(clusters.labels[i])] < filter.clusterMinimum) {
+    const auto label = static_cast<std::size_t>(clusters.labels[i]);
+    if (clusters.sizes[label] < filter.clusterMinimum) {
       scene.noise.push_back(points[i]);
       continue;
     }
+    if (toolCluster == label) scene.toolCluster.push_back(points[i]);
     const Eigen::Vector3d p = points[i].cast<double>();
     const bool dynamic =
         (scene.toolBox && scene.toolBox->contains(p)) || (load && load->contains(p));

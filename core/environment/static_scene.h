@@ -24,11 +24,13 @@ std::string_view nameOf(ToolMask mask);
 /// The cloud split into what may enter the model and what was taken out as boom, tool and load.
 struct StaticScene {
   Points statics;  ///< inside the bounds, downsampled, without noise and dynamic volume
-  /// Measured points beyond zMax inside the bounds in x and y: they show what is free.
+  /// Measured points beyond zMax inside the bounds in x and y: they show what is free. In
+  /// perspective all measured points behind zMin that are outside the bounds.
   Points beyond;
   Points removed;  ///< taken out as dynamic; shown, so that an obstacle among them can be seen
   std::optional<AxisAlignedBox> toolBox;  ///< AABB of the tool's cluster, if and only if Taken
   ToolMask toolMask = ToolMask::NoToolPoint;
+  Points toolCluster;  ///< downsampled; of `removed` those that hang together with the tool
   /// Points dropped by the low-pass, or with clusters that are too small: not believed, but no
   /// evidence that nothing is there.
   Points noise;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "files/text_table.h"
 
 namespace boomwatch {
 namespace {
@@ -45,28 +45,42 @@ constexpr std::string_view explanation =
     "was found within 15 frames (overlap at least 0.25). The last rows are means over sequences; "
     "counts are added up. csrt and opencv_csrt are the same engine; ours says when it is lost.\n";
 
-using Cells = std::vector<std::string>;  // one a column; empty: not known
-
-std::string fixed(std::optional<double> value, int decimals, double factor = 1.0) {
-  if (!value) return "";
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), *value * factor,
-                                 std::chars_format::fixed, decimals);
-  return {buffer.data(), end.ptr};
-}
-
 void addNumbers(Cells& cells, const TrackScore& score) {
   constexpr double percent = 100.0;
   for (std::string& cell :
        Cells{std::to_string(score.frames), std::to_string(score.lost),
-             fixed(score.lostShare, 1, percent), std::to_string(score.occluded),
-             fixed(score.accuracy, 1, percent), fixed(score.confidenceMean, 3),
-             fixed(score.confidenceSpread, 3), fixed(score.fps, 1), fixed(score.successArea, 3),
-             fixed(score.precision, 1, percent), std::to_string(score.falseBoxes),
-             std::to_string(score.returns), std::to_string(score.refound)}) {
+             fixedText(score.lostShare, 1, percent), std::to_string(score.occluded),
+             fixedText(score.accuracy, 1, percent), fixedText(score.confidenceMean, 3),
+             fixedText(score.confidenceSpread, 3), fixedText(score.fps, 1),
+             fixedText(score.successArea, 3), fixedText(score.precision, 1, percent),
+             std::to_string(score.falseBoxes), std::to_string(score.returns),
+             std::to_string(score.refound)}) {
     cells.push_back(std::move(cell));
   }
 }
+
+std::string terminalLine(const Cells& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string text = cells[i].empty() ? "-" : cells[i];
+    const std::string gap(columns[i].width - std::min(columns[i].width, text.size()), ' ');
+    line += i < nameColumns ? text + gap : gap + text;
+    line += i + 1 < columns.size() ? ' ' : '\n';
+  }
+  return line;
+}
+
+Cells headings(std::string_view Column::*name) {
+  Cells cells;
+  for (const Column& column : columns) cells.emplace_back(column.*name);
+  return cells;
+}
+
+}  // namespace
+
+Cells evaluationTitles() { return headings(&Column::title); }
+
+std::string_view evaluationExplanation() { return explanation; }
 
 Cells cellsOf(const TrackerRun& run) {
   Cells cells{run.sequence, run.tracker, std::string(toString(run.state))};
@@ -84,57 +98,6 @@ Cells cellsOf(const TrackerMean& mean) {
   cells.resize(columns.size());
   return cells;
 }
-
-std::string terminalLine(const Cells& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string text = cells[i].empty() ? "-" : cells[i];
-    const std::string gap(columns[i].width - std::min(columns[i].width, text.size()), ' ');
-    line += i < nameColumns ? text + gap : gap + text;
-    line += i + 1 < columns.size() ? ' ' : '\n';
-  }
-  return line;
-}
-
-/// Names of folders may hold what parts fields.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-  result += '"';
-  return result;
-}
-
-std::string csvLine(const Cells& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    line += quoted(cells[i]);
-    line += i + 1 < cells.size() ? ',' : '\n';
-  }
-  return line;
-}
-
-std::string markdownLine(const Cells& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) {
-    line += ' ';
-    for (const char c : cell.empty() ? std::string("-") : cell) {
-      if (c == '|') line += '\\';
-      line += c;
-    }
-    line += " |";
-  }
-  line += '\n';
-  return line;
-}
-
-Cells headings(std::string_view Column::*name) {
-  Cells cells;
-  for (const Column& column : columns) cells.emplace_back(column.*name);
-  return cells;
-}
-
-}  // namespace
 
 std::string tableHeader() { return terminalLine(headings(&Column::title)); }
 
@@ -156,9 +119,7 @@ std::string csvTable(std::span<const TrackerRun> runs) {
 std::string markdownTable(std::span<const TrackerRun> runs) {
   std::string text = "# Trackers over sequences with ground truth\n\n";
   text.append(explanation).append("\n").append(markdownLine(headings(&Column::title)));
-  text += '|';
-  for (std::size_t i = 0; i < columns.size(); ++i) text += i < nameColumns ? "---|" : "--:|";
-  text += '\n';
+  text += markdownRule(columns.size(), nameColumns);
   for (const TrackerRun& run : runs) text += markdownLine(cellsOf(run));
   for (const TrackerMean& mean : meansOf(runs)) text += markdownLine(cellsOf(mean));
   for (const TrackerRun& run : runs) {

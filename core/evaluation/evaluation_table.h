@@ -2,10 +2,20 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "evaluation/tracking_evaluation.h"
+#include "files/text_table.h"
 
 namespace boomwatch {
+
+/// The columns' names, and what stands below them: sequence, tracker and state first.
+Cells evaluationTitles();
+Cells cellsOf(const TrackerRun& run);
+Cells cellsOf(const TrackerMean& mean);
+
+/// What the columns mean; ends with a line feed.
+std::string_view evaluationExplanation();
 
 /// The columns' names, for a terminal; ends with a line feed.
 std::string tableHeader();

@@ -24,6 +24,8 @@ std::string_view toString(Reason reason) {
       return "load_not_seen";
     case Reason::LoadOutside:
       return "load_outside_bounds";
+    case Reason::ToolNotSeen:
+      return "tool_not_seen";
     case Reason::NoModel:
       return "no_model_yet";
     case Reason::SearchTooShort:

@@ -26,8 +26,13 @@ void requireOrder(const char* lowKey, double low, const char* highKey, double hi
 }
 
 void requireModelFits(const Parameters& p) {
-  const double columns = std::floor((p.bounds.xMax - p.bounds.xMin) / p.model.resolution);
-  const double rows = std::floor((p.bounds.yMax - p.bounds.yMin) / p.model.resolution);
+  // Not by GridGeometry: its whole numbers end where these need not.
+  const auto cells = [&](double low, double high) {
+    return std::floor((high - low) / p.model.resolution);
+  };
+  const GridGeometry::Plane plane = GridGeometry::planeOf(p.bounds, p.model.projection);
+  const double columns = cells(plane.left, plane.right);
+  const double rows = cells(plane.top, plane.bottom);
   if (!(columns >= 1 && rows >= 1)) {  // a NaN is refused as well
     throw Error("parameter 'resolution'", "a cell is larger than the bounds",
                 "Lower resolution or widen the bounds.");
@@ -51,6 +56,34 @@ void requireTimesInOrder(const WarningParameters& warning) {
 void requireThresholdsApart(const ModelParameters& model) {
   if (model.update != ModelUpdate::Hysteresis) return;
   requireOrder("leave_threshold", model.leaveThreshold, "probtresh", model.probtresh);
+}
+
+void requireRaysForward(const Parameters& p) {
+  if (p.model.projection != ModelProjection::Perspective) return;
+  if (p.bounds.zMin < 0.0) {
+    throw Error("parameter 'model_projection'",
+                "a perspective model begins at the camera, but z_min is " + format(p.bounds.zMin),
+                "Set z_min to 0 or more, or model_projection to parallel.");
+  }
+  if (p.clearance.method == ClearanceMethod::Rays) {
+    throw Error("parameters 'model_projection' and 'clearance_method'",
+                "the search rays lie in the plane of a parallel model",
+                "Set clearance_method to exact, or model_projection to parallel.");
+  }
+}
+
+void requireSomethingWatched(const WatchParameters& watch) {
+  if (watch.load || watch.tool || watch.boom) return;
+  throw Error("parameters 'watch_load', 'watch_tool' and 'watch_boom'", "all of them are off",
+              "Switch at least one of them on.");
+}
+
+void requireSolidIsExact(const ClearanceParameters& clearance) {
+  if (clearance.unknownSpace != UnknownSpace::Solid) return;
+  if (clearance.method == ClearanceMethod::Exact) return;
+  throw Error("parameters 'unknown_space' and 'clearance_method'",
+              "search rays only meet surfaces, not unseen space",
+              "Set clearance_method to exact, or unknown_space to show.");
 }
 
 /// Outside the bounds every point would count as seen through, and what they show as free.
@@ -88,6 +121,9 @@ void validate(const Parameters& p) {
   requireOrder("warning_distance", p.warning.warningDistance, "caution_distance",
                p.warning.cautionDistance);
   requireTimesInOrder(p.warning);
+  requireRaysForward(p);
+  requireSolidIsExact(p.clearance);
+  requireSomethingWatched(p.watch);
   requireModelFits(p);
   requireThresholdsApart(p.model);
   requireReprojectionInside(p);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/bounds.h"
+#include "frame/model_projection.h"
 #include "frame/oriented_box.h"
 
 namespace boomwatch {
@@ -15,7 +16,10 @@ enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
-enum class LoadSource { Scene, Manual, Detected };
+/// What is done about space that was never seen; see ClearanceParameters.
+enum class UnknownSpace { Ignore, Show, Solid };
+/// Auto: detected where a tool is followed, else what the scene knows.
+enum class LoadSource { Auto, Scene, Manual, Detected };
 enum class LoadShape { Cylinder, Box, Auto };
 enum class LoadDimensions { Learnt, Locked };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
@@ -35,9 +39,9 @@ struct StereoParameters {
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
   double texture = 0.2;
-  int average = 1;      ///< frames of a still camera that a disparity is the mean of; 1 is off
-  bool refine = false;  ///< turn the right camera so that the rows of both pictures agree
-  int smooth = 0;       ///< width of the neighbourhood that a disparity is the mean of; 0 is off
+  int average = 1;     ///< frames of a still camera that a disparity is the mean of; 1 is off
+  bool refine = true;  ///< correct the right camera so that the rows of both pictures agree
+  int smooth = 0;      ///< width of the neighbourhood that a disparity is the mean of; 0 is off
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.
@@ -66,6 +70,7 @@ struct ModelParameters {
   double logOddsLow = 0.12;     ///< log-odds: the least that a hit starts from
   double logOddsHigh = 0.97;    ///< log-odds: the most that hits lead to
   int memoryLimit = 1024;       ///< megabytes the model may take
+  ModelProjection projection = ModelProjection::Parallel;  ///< see GridGeometry
 };
 
 /// The search for the nearest thing (method.md section 7).
@@ -74,6 +79,20 @@ struct ClearanceParameters {
   int interval = 8;     ///< I: cells between search rays
   int radius = 70;      ///< L: length of a search ray, cells
   double range = 10.0;  ///< metres beyond which `exact` says "nothing in range"
+  /// Ignore: as if it were free, however little was seen (the thesis's). Show: its share is part of
+  /// the result, and below min_observed there is no distance. Solid: as an obstacle; see
+  /// ExactClearance. What boom, tool and load hide at the moment is exempt.
+  UnknownSpace unknownSpace = UnknownSpace::Show;
+  /// Metres: pieces of the model that are smaller from corner to corner are drawn, but do not
+  /// count.
+  double smallestThing = 0.1;
+};
+
+/// From what the distance is watched; the smallest leads.
+struct WatchParameters {
+  bool load = true;
+  bool tool = false;  ///< what is within load_tool_size / 2 of the tool point
+  bool boom = false;  ///< the rest of the tool's cluster, in segments
 };
 
 /// When each level begins, and when it ends. Metres, seconds.
@@ -89,7 +108,7 @@ struct WarningParameters {
 /// The load as the operator describes it, or how it is detected. Metres, degrees (this is what a
 /// person types).
 struct LoadParameters {
-  LoadSource source = LoadSource::Scene;  ///< Scene: only what the source itself knows
+  LoadSource source = LoadSource::Auto;  ///< Scene: only what the source itself knows
   double x = 0.0, y = 0.0, z = 3.0;
   double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
   double yaw = 0.0, pitch = 0.0, roll = 0.0;
@@ -135,6 +154,7 @@ struct Parameters {
   FilterParameters filter;
   ModelParameters model;
   ClearanceParameters clearance;
+  WatchParameters watch;
   WarningParameters warning;
   StereoParameters stereo;
   LoadParameters load;

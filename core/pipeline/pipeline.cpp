@@ -4,15 +4,13 @@
 #include <chrono>
 #include <future>
 
-#include "collision/approach.h"
-#include "collision/exact_clearance.h"
 #include "collision/nearest_pair.h"
-#include "collision/observed_share.h"
-#include "collision/ray_clearance.h"
+#include "environment/crane_boxes.h"
 #include "frame/error.h"
 #include "load/load_detector.h"
 #include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
+#include "pipeline/surroundings.h"
 #include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
 
@@ -34,19 +32,23 @@ class StageClock {
   std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
 };
 
-/// Unknown is not clear, even where somebody asks for no share at all.
-constexpr double noShare = 1e-9;
-
 /// A quarter of a pixel is what matching leaves uncertain.
 constexpr double matchingNoise = 0.25;
 
 /// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
 constexpr double depthCameraNoise = 0.0014;
 
+/// Auto has become one of the others.
+LoadSource loadSource(const Result& result) {
+  const LoadSource wanted = result.parameters.load.source;
+  if (wanted != LoadSource::Auto) return wanted;
+  return result.tool.running() ? LoadSource::Detected : LoadSource::Scene;
+}
+
 Reason loadReason(const Result& result) {
   const std::optional<OrientedBox>& load = result.load;
   const Bounds& bounds = result.parameters.bounds;
-  if (!load && result.parameters.load.source == LoadSource::Detected) return Reason::LoadNotSeen;
+  if (!load && loadSource(result) == LoadSource::Detected) return Reason::LoadNotSeen;
   if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
 }
@@ -64,13 +66,8 @@ struct Pipeline::State {
   StereoStage stereo;
   ToolTracking tool;
   FrameChecks checks;
-  EnvironmentModel model;
-  bool modelExists = false;
   LoadFollower loads;
-  ExactClearance exact;
-  ObservedShare observed;
-  Points evidence;  ///< scratch: what the model learns from this frame
-  Points hidden;    ///< scratch: what shows neither that something is there nor that nothing is
+  Surroundings surroundings;
   LoadMotion motion;
   WarningMemory warning;
   double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
@@ -79,9 +76,10 @@ struct Pipeline::State {
   std::future<void> look(const Result& result);
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<OrientedBox> findLoad(Result& result);
-  void updateModel(Result& result);
-  Clearance judge(const Result& result, Reason frameFault) const;
-  Clearance measure(const OrientedBox& load, const Parameters& parameters) const;
+  Reason whyNothing(const Result& result, Reason frameFault) const;
+  void judge(Result& result, Reason frameFault) const;
+  Watched watchLoad(const Result& result) const;
+  void watchCrane(Result& result) const;
   std::optional<double> depthUncertainty(const Clearance& clearance) const;
   std::optional<Approach> approach(const Result& result);
   void warn(Result& result);
@@ -93,7 +91,7 @@ Pipeline::~Pipeline() = default;
 
 void Pipeline::order(const ToolOrder& order) { m_state->tool.order(order); }
 void Pipeline::reset() { m_state = std::make_unique<State>(m_maker); }
-const EnvironmentModel& Pipeline::model() const { return m_state->model; }
+const EnvironmentModel& Pipeline::model() const { return m_state->surroundings.model(); }
 
 Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   validate(parameters);
@@ -116,21 +114,21 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.tool = state.tool.locate(*result.cloud, frame->stamp, parameters.tracking);
   clock.lap("tool");
 
-  const std::optional<OrientedBox> loadVolume = state.findLoad(result);
+  result.loadVolume = state.findLoad(result);
   clock.lap("load");
 
-  result.scene = separateStatic(*result.cloud, result.tool.point, loadVolume, parameters);
+  result.scene = separateStatic(*result.cloud, result.tool.point, result.loadVolume, parameters);
   result.removedShare = removedShare(result.scene);
   clock.lap("filter");
 
-  if (verdict.modelIsStale) state.modelExists = false;
+  if (verdict.modelIsStale) state.surroundings.forget();
   // A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
   // one in which the boom is taken for a part of the surroundings.
   const bool isEvidence = verdict.reason == Reason::None && !result.tool.lost();
-  if (isEvidence) state.updateModel(result);
+  if (isEvidence) result.modelRebuilt = state.surroundings.learn(result.scene, parameters);
   clock.lap("model");
 
-  result.clearance = state.judge(result, verdict.reason);
+  state.judge(result, verdict.reason);
   result.depthUncertainty = state.depthUncertainty(result.clearance);
   result.approach = state.approach(result);
   state.warn(result);
@@ -171,6 +169,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
 
 /// The tracker and the stereo matcher need only the picture: one works while the other does.
 std::future<void> Pipeline::State::look(const Result& result) {
+  tool.offer(result.frame->tool, result.parameters.tracking.tracker);
   if (!tool.needsImage()) return {};
   return std::async(std::launch::async,
                     [this, image = result.image, tracking = result.parameters.tracking] {
@@ -181,82 +180,74 @@ std::future<void> Pipeline::State::look(const Result& result) {
 std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
-  if (parameters.source == LoadSource::Detected) {
+  const LoadSource source = loadSource(result);
+  const bool detected = source == LoadSource::Detected;
+  if (detected) {
     const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
     const LoadDetection detection =
-        result.tool.point ? detectLoad(*result.cloud, *result.tool.point, noise,
-                                       result.parameters.bounds, parameters,
-                                       loads.expected(stamp, maxAge, result.tool.point))
-                          : LoadDetection::refused(LoadFault::NoToolPoint);
+        result.tool.point
+            ? detectLoad(*result.cloud, *result.tool.point, noise, result.parameters.bounds,
+                         parameters, loads.expected(stamp, maxAge, result.tool.point))
+            : LoadDetection::refused(LoadFault::NoToolPoint);
     const auto followed = loads.follow(detection, stamp, parameters, maxAge, result.tool.point);
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;
   } else {
     loads.reset();
-    result.load = parameters.source == LoadSource::Manual ? parameters.box() : result.frame->load;
+    result.load = source == LoadSource::Manual ? parameters.box() : result.frame->load;
   }
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
-  const bool detected = parameters.source == LoadSource::Detected;
   const double margin = detected ? parameters.margin : result.parameters.model.resolution;
   return dynamicVolume(*result.load, margin, noise);
 }
 
-void Pipeline::State::updateModel(Result& result) {
-  const GridGeometry geometry(result.parameters.bounds, result.parameters.model.resolution);
-  if (!modelExists || !(model.geometry() == geometry)) {
-    model = EnvironmentModel(geometry);
-    modelExists = true;
-    result.modelRebuilt = true;
-  }
-  evidence = result.scene.statics;
-  evidence.insert(evidence.end(), result.scene.beyond.begin(), result.scene.beyond.end());
-  // Noise is not believed, but neither does it show that nothing is there.
-  hidden = result.scene.removed;
-  hidden.insert(hidden.end(), result.scene.noise.begin(), result.scene.noise.end());
-  model.update(evidence, result.parameters.model, hidden);
-  exact.rebuild(model);
-  observed.rebuild(model);
+/// The links of the chain that come before any distance, in the order in which they can fail.
+Reason Pipeline::State::whyNothing(const Result& result, Reason frameFault) const {
+  if (frameFault != Reason::None) return frameFault;
+  return result.tool.lost() ? Reason::ToolLost : Reason::None;
 }
 
-/// The validity of the whole chain, in the order in which its links can fail.
-Clearance Pipeline::State::judge(const Result& result, Reason frameFault) const {
-  const Parameters& parameters = result.parameters;
-  if (frameFault != Reason::None) return Clearance::unknown(frameFault);
-  if (result.tool.lost()) return Clearance::unknown(Reason::ToolLost);
+void Pipeline::State::judge(Result& result, Reason frameFault) const {
+  result.suppressed.assign(surroundings.suppressed().begin(), surroundings.suppressed().end());
+  const Reason fault = whyNothing(result, frameFault);
+  if (fault != Reason::None) {
+    result.clearance = Clearance::unknown(fault);
+    return;
+  }
+  if (result.parameters.watch.load) result.watched.push_back(watchLoad(result));
+  watchCrane(result);
+  result.leading = leadingOf(result.watched, result.parameters.warning);
+  result.clearance = result.watched[result.leading].clearance;
+}
+
+Watched Pipeline::State::watchLoad(const Result& result) const {
   const Reason fault = loadReason(result);
-  if (fault != Reason::None) return Clearance::unknown(fault);
-  const auto needed = framesToEnter(parameters.model);
-  if (!needed || model.frames() < static_cast<std::size_t>(*needed)) {
-    return Clearance::unknown(Reason::NoModel);
-  }
-  return measure(*result.load, parameters);
+  const Clearance clearance = fault == Reason::None
+                                  ? surroundings.around(*result.load, result.parameters)
+                                  : Clearance::unknown(fault);
+  return {WatchedObject::Load, 0, result.load, clearance};
 }
 
-Clearance Pipeline::State::measure(const OrientedBox& load, const Parameters& parameters) const {
-  const ClearanceParameters& method = parameters.clearance;
-  Clearance clearance = method.method == ClearanceMethod::Exact
-                            ? exact.query(load, method.range)
-                            : rayClearance(model, load, method.interval, method.radius);
-  const double searched = searchReach(parameters);
-  // Rays may meet something farther away than they are long, in front of what they did not reach.
-  if (searchIsShort(parameters) &&
-      !(clearance.nearest && clearance.nearest->distance <= searched)) {
-    clearance.state = ClearanceState::Unknown;
-    clearance.reason = Reason::SearchTooShort;
-    clearance.nearest.reset();
+void Pipeline::State::watchCrane(Result& result) const {
+  const WatchParameters& watch = result.parameters.watch;
+  if (!watch.tool && !watch.boom) return;
+  CraneBoxes crane;
+  if (result.tool.point && result.scene.toolMask == ToolMask::Taken) {
+    crane = craneBoxes(result.scene.toolCluster, *result.tool.point,
+                       result.parameters.load.toolSize, result.loadVolume);
   }
-  // With nothing in range, "clear" promises something about the caution zone.
-  const double reach = clearance.nearest ? clearance.nearest->distance
-                                         : std::min(searched, parameters.warning.cautionDistance);
-  const double share = observed.query(load, reach) * watchedDepth(load, reach, parameters.bounds);
-  if (share < std::max(parameters.validity.minObserved, noShare) &&
-      !(clearance.nearest && reach == 0.0)) {
-    clearance = Clearance::unknown(Reason::NothingObserved);
-  }
-  clearance.observedShare = share;
-  return clearance;
+  const auto add = [&](WatchedObject object, int segment, const std::optional<OrientedBox>& box) {
+    const Clearance clearance = box ? surroundings.around(*box, result.parameters)
+                                    : Clearance::unknown(Reason::ToolNotSeen);
+    result.watched.push_back({object, segment, box, clearance});
+  };
+  if (watch.tool) add(WatchedObject::Tool, 0, crane.tool);
+  if (!watch.boom) return;
+  if (crane.boom.empty()) add(WatchedObject::Boom, 0, std::nullopt);
+  int segment = 0;
+  for (const OrientedBox& box : crane.boom) add(WatchedObject::Boom, ++segment, box);
 }
 
 /// What a quarter of a pixel of disparity does to the depth there, from Eq. 5: dz = z^2 / (f B) dd.
@@ -275,12 +266,14 @@ std::optional<Approach> Pipeline::State::approach(const Result& result) {
   if (!velocity || result.clearance.state == ClearanceState::Unknown) return std::nullopt;
   Approach approach;
   approach.velocity = *velocity;
-  if (const auto& nearest = result.clearance.nearest; nearest && nearest->distance > 0.0) {
+  const auto& nearest = result.clearance.nearest;
+  const bool loadLeads = result.watched[result.leading].object == WatchedObject::Load;
+  if (loadLeads && nearest && nearest->distance > 0.0) {
     approach.closingSpeed =
         velocity->dot(nearest->onEnvironment - nearest->onLoad) / nearest->distance;
   }
   const WarningParameters& limits = result.parameters.warning;
-  approach.timeToContact = timeToContact(exact, *result.load, *velocity,
+  approach.timeToContact = timeToContact(surroundings.exact(), *result.load, *velocity,
                                          std::max(limits.cautionTime, limits.warningTime));
   return approach;
 }

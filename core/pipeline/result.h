@@ -13,6 +13,7 @@
 #include "frame/frame.h"
 #include "load/load_detection.h"
 #include "pipeline/warning.h"
+#include "pipeline/watched.h"
 #include "tracking/tool_track.h"
 
 namespace boomwatch {
@@ -35,11 +36,16 @@ struct Result {
   LoadFault loadFault = LoadFault::None;
   /// Seconds since the load was last seen; absent unless it is detected.
   std::optional<double> loadAge;
+  std::optional<OrientedBox> loadVolume;  ///< `load` with the margin that is taken out with it
   StaticScene scene;
   /// Share of the points inside the bounds that were taken out with boom, tool and load. Large:
   /// what is in the way may be among them.
   double removedShare = 0.0;
-  Clearance clearance;
+  Clearance clearance;           ///< of what leads or, where nothing is known, the reason
+  std::vector<Watched> watched;  ///< all that is watched, the load first; empty if nothing is known
+  std::size_t leading = 0;       ///< index into `watched` of the one that `clearance` is taken from
+  /// Indices of the model's cells that are occupied but too small to count (smallest_thing).
+  std::vector<std::size_t> suppressed;
   /// How the load moves; absent until it was seen for long enough, and without a distance.
   std::optional<Approach> approach;
   std::string message;  ///< English detail of a fault in this frame; empty if there was none

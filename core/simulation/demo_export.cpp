@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "files/partial_folder.h"
 #include "frame/error.h"
 #include "simulation/demo_source.h"
 #include "simulation/pinhole_view.h"
@@ -20,28 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void failed(const fs::path& file) {
-  throw std::runtime_error(file.string() +
-                           ": cannot be written. Free some space, or name another folder with "
-                           "--output; what was written has been removed.");
-}
-
-void write(const fs::path& file, const char* data, std::size_t size) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(data, static_cast<std::streamsize>(size));
-  stream.close();
-  if (!stream) failed(file);
-}
-
-void writeText(const fs::path& file, const std::string& text) {
-  write(file, text.data(), text.size());
-}
-
 void writeImage(const fs::path& file, const cv::Mat& image) {
   std::vector<std::uint8_t> bytes;
   // Fast rather than small: the zlib level is most of the time.
   cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  write(file, reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  writeBytes(file, bytes);
 }
 
 std::string nameOf(std::size_t index) {
@@ -91,63 +74,6 @@ cv::Mat depthOf(const Cloud& cloud) {
     for (int u = 0; u < depth.cols; ++u) depth.at<float>(v, u) = cloud.at(u, v).z();
   }
   return depth;
-}
-
-/// FOLDER.partial, removed unless it was finished.
-class PartialFolder {
- public:
-  explicit PartialFolder(const fs::path& folder) : m_final(folder), m_path(folder) {
-    m_path += ".partial";
-    std::error_code fault;
-    if (fs::exists(m_path, fault)) {
-      throw Error(m_path.string(), "it is there already, from an export that was cut short",
-                  "Remove it, or name another folder with --output.");
-    }
-    if (!fs::create_directories(m_path, fault)) {
-      throw Error(m_path.string(), "it cannot be made: " + fault.message(),
-                  "Name a folder that can be written with --output.");
-    }
-  }
-  PartialFolder(const PartialFolder&) = delete;
-  PartialFolder& operator=(const PartialFolder&) = delete;
-  ~PartialFolder() {
-    std::error_code fault;
-    if (!m_finished) fs::remove_all(m_path, fault);
-  }
-
-  const fs::path& path() const { return m_path; }
-
-  fs::path sub(const char* name) const {
-    std::error_code fault;
-    fs::create_directories(m_path / name, fault);
-    if (fault) failed(m_path / name);
-    return m_path / name;
-  }
-
-  void finish() {
-    std::error_code fault;
-    fs::remove(m_final, fault);  // empty, or not there
-    fs::rename(m_path, m_final, fault);
-    if (fault) failed(m_final);
-    m_finished = true;
-  }
-
- private:
-  fs::path m_final, m_path;
-  bool m_finished = false;
-};
-
-fs::path checkedFolder(const fs::path& given) {
-  if (given.empty()) throw Error("--output", "no folder is named", "Name one: --output FOLDER.");
-  std::error_code fault;
-  const fs::path whole = fs::absolute(given).lexically_normal();
-  fs::path folder = whole.has_filename() ? whole : whole.parent_path();
-  if (fs::exists(folder, fault) &&
-      !(fs::is_directory(folder, fault) && fs::is_empty(folder, fault))) {
-    throw Error(folder.string(), "it is not an empty folder",
-                "Name one that is empty or not there yet with --output.");
-  }
-  return folder;
 }
 
 std::unique_ptr<FrameSource> openDemo(const DemoExport& what) {
@@ -202,7 +128,7 @@ class Writer {
 }  // namespace
 
 bool exportDemo(const DemoExport& what, const ExportProgress& progress) {
-  const fs::path target = checkedFolder(what.folder);
+  const fs::path target = emptyFolder(what.folder);
   const auto source = openDemo(what);
   const std::size_t most = source->info().frameCount.value_or(0);
   const std::size_t frames = what.frames.value_or(most);

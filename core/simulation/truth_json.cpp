@@ -49,7 +49,7 @@ std::string json(const OrientedBox& box) {
   return object({{"centre", json(box.centre)}, {"size", json(box.size)}, {"axes", axes + "]"}});
 }
 
-std::string json(const std::optional<Approach>& approach) {
+std::string json(const std::optional<YardApproach>& approach) {
   if (!approach) return "null";
   std::string kind = "\"";
   kind += toString(approach->kind);
@@ -88,7 +88,7 @@ std::string truthJson(const Frame& frame) {
                  {"load", frame.load ? json(*frame.load) : "null"},
                  {"log", yard ? log(yard->log) : "null"},
                  {"tool", yard ? tool(*yard) : "null"},
-                 {"nearest", yard ? json(std::optional<Approach>(yard->nearest)) : "null"},
+                 {"nearest", yard ? json(std::optional<YardApproach>(yard->nearest)) : "null"},
                  {"person", yard ? json(yard->person) : "null"},
                  {"branch", yard ? json(yard->branch) : "null"}});
 }

@@ -3,6 +3,7 @@
 #include "sources/camera_source.h"
 #include "sources/cloud_source.h"
 #include "sources/depth_source.h"
+#include "sources/map_source.h"
 #include "sources/stereo_source.h"
 #include "sources/still_source.h"
 
@@ -16,11 +17,12 @@ std::unique_ptr<FrameSource> openSource(const std::string& address, const Source
     if (kind == "stereo") return repeatIfStill(openStereoSource(rest, address, options));
     if (kind == "cloud") return repeatIfStill(openCloudSource(rest, address));
     if (kind == "depth") return repeatIfStill(openDepthSource(rest, address));
+    if (kind == "map") return repeatIfStill(openMapSource(rest, address));
     if (kind == "camera") return openCameraSource(rest, address, options);
     if (kind == "demo") return openDemoSource(rest, address);
   }
   throw Error("source '" + address + "'", "it does not begin with a kind of source",
-              "Give stereo:PATH, cloud:PATH, depth:PATH, camera:LEFT,RIGHT or demo:NAME.");
+              "Give stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT or demo:NAME.");
 }
 
 }  // namespace boomwatch

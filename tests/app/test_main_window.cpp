@@ -103,6 +103,25 @@ class TestMainWindow : public QObject {
     QVERIFY(window.panes().state->text().contains("not what is there now"));
   }
 
+  void anotherSourceAndAnotherPlaceClearTheHistory() {
+    Worker worker(small(), opening({}));
+    MainWindow window(small(), &worker);
+    QSignalSpy finished(&window, &MainWindow::finished);
+    worker.command(SpeedCommand{Player::unlimited});
+    worker.command(StopAfterCommand{8});
+    window.openSource("fake");
+    QTRY_COMPARE(finished.count(), 1);
+    const auto& moments = window.panes().history->history().moments();
+    QTRY_VERIFY(!moments.empty());
+    emit window.panes().player->seekRequested(2);
+    QVERIFY(moments.empty());
+    QTRY_COMPARE(moments.size(), std::size_t{1});
+    window.openSource("fake:other");
+    QTRY_COMPARE(window.status().address, QStringLiteral("fake:other"));
+    QTRY_VERIFY(!moments.empty());
+    QVERIFY(moments.front().stamp <= 0.5);
+  }
+
   void aFaultStaysInSightUntilItIsDismissed() {
     Worker worker(small(),
                   [](const std::string&, const SourceOptions&) -> std::unique_ptr<FrameSource> {

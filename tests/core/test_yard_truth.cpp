@@ -91,7 +91,7 @@ class TestYardTruth : public QObject {
       const YardTruth& known = truth(index, frame);
       const OrientedBox load = levelled(known.load, yard.eye(0).level);
       double nearest = fclDistance(load, layout.ground);
-      const std::vector<Approach> all = known.everything();
+      const std::vector<YardApproach> all = known.everything();
       QCOMPARE(all.size(), layout.fixed.size() + 1);
       QVERIFY(std::abs(all[0].pair.distance - nearest) < 1e-3);
       for (std::size_t k = 0; k < layout.fixed.size(); ++k) {

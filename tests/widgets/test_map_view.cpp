@@ -24,6 +24,8 @@ class TestMapView : public QObject {
   void aSingleCellDoesNotVanishInAMapThatIsShrunk();
   void theCursorReadsTheCellUnderIt();
   void theNearestPointIsDrawnOnTheEnvironmentMapOnly();
+  void whatIsTooSmallToCountIsMarkedAndSaid();
+  void aRayWithoutASurfaceHasADirection();
 };
 
 namespace {
@@ -229,6 +231,36 @@ void TestMapView::theNearestPointIsDrawnOnTheEnvironmentMapOnly() {
     QCOMPARE(shows(-0.5, 0.0, theme.load), expected);
     QCOMPARE(shows(0.0, 0.6, theme.rays), expected);
   }
+}
+
+void TestMapView::whatIsTooSmallToCountIsMarkedAndSaid() {
+  const auto edgeOf = [](const std::shared_ptr<Result>& result) {
+    ShownMap shown(MapKind::Environment, result);
+    const QPointF edge(shown.map.scale() / 2 + 2, 0);
+    const QImage image = shown.map.grab().toImage();
+    return image.pixelColor((centreOf(shown.map, 32, 7) - edge).toPoint());
+  };
+  auto result = smallResult();
+  const QColor before = edgeOf(result);
+  QVERIFY(!ShownMap(MapKind::Environment, result).map.readout({32, 7}).contains("too small"));
+  result->suppressed = {result->model->geometry().index(32, 7)};
+  QVERIFY(edgeOf(result) != before);
+  QVERIFY(ShownMap(MapKind::Environment, result).map.readout({32, 7}).contains("too small"));
+}
+
+void TestMapView::aRayWithoutASurfaceHasADirection() {
+  const GridGeometry rays({-2, 2, -1, 1, 0, 10}, 0.1, ModelProjection::Perspective);
+  auto model = std::make_shared<EnvironmentModel>(rays);
+  const Eigen::Vector3d p(1.0, 0.5, 8.0);
+  const Eigen::Vector2d place = rays.onPlane(p);
+  const QPoint cell(rays.columnOf(place.x()), rays.rowOf(place.y()));
+  model->set(cell.x(), cell.y(), 0.6F, rays.levelOf(p.z()));
+  auto result = std::make_shared<Result>();
+  result->model = model;
+  ShownMap shown(MapKind::Environment, result);
+  QVERIFY(shown.map.readout(cell).contains(QLocale().toString(8.0, 'f', 1)));
+  QVERIFY(shown.map.readout(cell).startsWith("x "));
+  QVERIFY(shown.map.readout(cell + QPoint(3, 0)).startsWith("x/z "));
 }
 
 QTEST_MAIN(TestMapView)

@@ -88,8 +88,8 @@ class CranePath::Planner {
     const double wanted = m_dice.between(0.35, 1.15);
     for (int attempt = 0; attempt < 8; ++attempt) {
       const YardKind kind = nextKind();
-      Approach goal{kind, {1e9, {}, {}}};
-      for (const Approach& thing : m_obstacles.all(box)) {
+      YardApproach goal{kind, {1e9, {}, {}}};
+      for (const YardApproach& thing : m_obstacles.all(box)) {
         if (thing.kind == kind && thing.pair.distance < goal.pair.distance) goal = thing;
       }
       if (goal.pair.distance > 6.0 || goal.pair.distance <= wanted) continue;

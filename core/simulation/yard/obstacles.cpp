@@ -28,9 +28,9 @@ double leastDistance(const OrientedBox& load, const Part& part) {
 
 }  // namespace
 
-Approach YardObstacles::ground(const OrientedBox& load, double limit) const {
+YardApproach YardObstacles::ground(const OrientedBox& load, double limit) const {
   const YardGround& ground = m_layout->ground;
-  Approach nearest{YardKind::Ground, {std::numeric_limits<double>::infinity(), {}, {}}};
+  YardApproach nearest{YardKind::Ground, {std::numeric_limits<double>::infinity(), {}, {}}};
   if (load.centre.y() >= ground.yAt(load.centre.x(), load.centre.z())) return {nearest.kind, {}};
   Eigen::AlignedBox3d around;
   for (const Vector3d& corner : load.corners()) around.extend(corner);
@@ -52,15 +52,15 @@ Approach YardObstacles::ground(const OrientedBox& load, double limit) const {
   return nearest;
 }
 
-Approach YardObstacles::nearest(const OrientedBox& load) const {
+YardApproach YardObstacles::nearest(const OrientedBox& load) const {
   const auto part = nearestOf(load, m_layout->fixed);
   const double limit = part ? part->pair.distance : std::numeric_limits<double>::infinity();
-  const Approach below = ground(load, limit);
+  const YardApproach below = ground(load, limit);
   return part && limit <= below.pair.distance ? *part : below;
 }
 
-std::vector<Approach> YardObstacles::all(const OrientedBox& load) const {
-  std::vector<Approach> all{ground(load, std::numeric_limits<double>::infinity())};
+std::vector<YardApproach> YardObstacles::all(const OrientedBox& load) const {
+  std::vector<YardApproach> all{ground(load, std::numeric_limits<double>::infinity())};
   const Support support = supportOf(load);
   for (const Part& part : m_layout->fixed) {
     all.push_back({part.kind, nearestPair(support, supportOf(part))});
@@ -68,12 +68,12 @@ std::vector<Approach> YardObstacles::all(const OrientedBox& load) const {
   return all;
 }
 
-std::optional<Approach> nearestOf(const OrientedBox& load, const Parts& parts) {
+std::optional<YardApproach> nearestOf(const OrientedBox& load, const Parts& parts) {
   if (parts.empty()) return std::nullopt;
   std::vector<std::pair<double, const Part*>> order;
   for (const Part& part : parts) order.emplace_back(leastDistance(load, part), &part);
   std::ranges::sort(order, {}, &std::pair<double, const Part*>::first);
-  Approach nearest{YardKind::Nothing, {std::numeric_limits<double>::infinity(), {}, {}}};
+  YardApproach nearest{YardKind::Nothing, {std::numeric_limits<double>::infinity(), {}, {}}};
   const Support support = supportOf(load);
   for (const auto& [least, part] : order) {
     if (least >= nearest.pair.distance) break;

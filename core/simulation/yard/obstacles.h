@@ -5,7 +5,7 @@
 namespace boomwatch {
 
 /// How near a load is to one thing. Metres.
-struct Approach {
+struct YardApproach {
   YardKind kind = YardKind::Nothing;
   ConvexPair pair;  ///< `onA` on the load, `onB` on the thing
 };
@@ -17,18 +17,18 @@ class YardObstacles {
 
   /// The nearest of all, within a micrometre. 0 when they touch or overlap, or the load is under
   /// the ground.
-  Approach nearest(const OrientedBox& load) const;
+  YardApproach nearest(const OrientedBox& load) const;
   /// The ground, and then every one of YardLayout::fixed, in its order.
-  std::vector<Approach> all(const OrientedBox& load) const;
+  std::vector<YardApproach> all(const OrientedBox& load) const;
 
  private:
   /// The ground, unless it is farther away than `limit`: then just some distance above `limit`.
-  Approach ground(const OrientedBox& load, double limit) const;
+  YardApproach ground(const OrientedBox& load, double limit) const;
 
   const YardLayout* m_layout;
 };
 
 /// The nearest of some bodies (one frame for all); absent when there are none.
-std::optional<Approach> nearestOf(const OrientedBox& load, const Parts& parts);
+std::optional<YardApproach> nearestOf(const OrientedBox& load, const Parts& parts);
 
 }  // namespace boomwatch

@@ -51,7 +51,7 @@ YardPicture paintStill(const YardEye& eye, const YardGround& ground, const Parts
   return picture;
 }
 
-Approach inCamera(Approach approach, const Matrix3d& level) {
+YardApproach inCamera(YardApproach approach, const Matrix3d& level) {
   approach.pair.onA = level.transpose() * approach.pair.onA;
   approach.pair.onB = level.transpose() * approach.pair.onB;
   return approach;
@@ -175,8 +175,8 @@ YardTruth Yard::truthAt(double time, const YardShot& shot) const {
         nearestOf(truth.load, toCamera(personAt(m_layout->walk, m_layout->ground, time)));
   }
   truth.everything = [layout = m_layout, level = m_level, load] {
-    std::vector<Approach> all = YardObstacles(*layout).all(load);
-    for (Approach& approach : all) approach = inCamera(approach, level);
+    std::vector<YardApproach> all = YardObstacles(*layout).all(load);
+    for (YardApproach& approach : all) approach = inCamera(approach, level);
     return all;
   };
   truth.branch = nearestOf(truth.load, toCamera(boughsAt(m_layout->boughs, time)));

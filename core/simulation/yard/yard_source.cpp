@@ -1,7 +1,6 @@
 #include "simulation/yard/yard_source.h"
 
-#include <cmath>
-
+#include "simulation/yard/depth_cloud.h"
 #include "simulation/yard/sensor.h"
 #include "simulation/yard/yard.h"
 #include "sources/indexed_source.h"
@@ -10,32 +9,6 @@ namespace boomwatch {
 namespace {
 
 constexpr int exposuresOfBlur = 5;
-
-/// Surface points of a depth image (CV_32FC1, metres).
-std::shared_ptr<const Cloud> cloudOf(const cv::Mat& depth, const PinholeCamera& camera) {
-  auto cloud = std::make_shared<Cloud>();
-  cloud->width = depth.cols;
-  cloud->height = depth.rows;
-  cloud->points.reserve(depth.total());
-  for (int v = 0; v < depth.rows; ++v) {
-    for (int u = 0; u < depth.cols; ++u) {
-      const float z = depth.at<float>(v, u);
-      cloud->points.push_back(std::isfinite(z) ? Eigen::Vector3f(z * camera.ray(u, v).cast<float>())
-                                               : unmeasuredPoint());
-    }
-  }
-  return cloud;
-}
-
-/// As a file of 16 bits holds it.
-void roundToMillimetres(cv::Mat& depth) {
-  for (int v = 0; v < depth.rows; ++v) {
-    for (int u = 0; u < depth.cols; ++u) {
-      float& z = depth.at<float>(v, u);
-      z = std::round(z * 1000.0F) / 1000.0F;
-    }
-  }
-}
 
 class YardSource : public IndexedSource {
  public:
@@ -65,11 +38,22 @@ class YardSource : public IndexedSource {
       frame->cloud = cloudOf(measured(*truth, index), m_yard.eye(0).camera);
     }
     frame->load = truth->load;
+    frame->tool = boxAround(truth->toolPoint);
     frame->truth = Truth{truth->nearest.pair.distance, std::move(truth)};
     return ok(std::move(frame));
   }
 
  private:
+  /// The link, the rotator and the upper half of the grapple: as little background as can be.
+  cv::Rect2d boxAround(const Eigen::Vector3d& toolPoint) const {
+    constexpr double half = 0.28, above = 0.14, below = 0.55;  // metres
+    const PinholeCamera& camera = m_yard.eye(0).camera;
+    const double scale = camera.focal / toolPoint.z();
+    return {camera.cx() + (toolPoint.x() - half) * scale,
+            camera.cy() + (toolPoint.y() - above) * scale, 2 * half * scale,
+            (above + below) * scale};
+  }
+
   /// The mean of the pictures while the shutter is open.
   void addBlur(YardShot& shot, double time) const {
     std::array<cv::Mat, 2> sums;
@@ -94,7 +78,7 @@ class YardSource : public IndexedSource {
     cv::Mat depth = truth.depth.clone();
     if (m_options.depthNoise > 0.0) {
       addDepthNoise(depth, m_options.depthNoise, truth.depthTimesDisparity,
-                    (m_options.seed << 20) + index);
+                    depthNoiseStream(m_options.seed, index));
     }
     if (m_options.as == YardView::Depth) roundToMillimetres(depth);
     return depth;

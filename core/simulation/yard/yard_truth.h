@@ -23,14 +23,14 @@ struct YardTruth {
   cv::Rect toolBox;          ///< around all of the tool, hidden or not; empty if out of the picture
   double toolVisible = 0.0;  ///< share of the tool's pixels that nothing hides, 0..1
 
-  OrientedBox load;                ///< x along the log
-  Cylinder log;                    ///< which it just encloses
-  Approach nearest;                ///< of everything that has its place, seen or not; exact
-  std::optional<Approach> person;  ///< absent without a person
-  std::optional<Approach> branch;  ///< the nearest swaying one; absent without clutter
+  OrientedBox load;                    ///< x along the log
+  Cylinder log;                        ///< which it just encloses
+  YardApproach nearest;                ///< of everything that has its place, seen or not; exact
+  std::optional<YardApproach> person;  ///< absent without a person
+  std::optional<YardApproach> branch;  ///< the nearest swaying one; absent without clutter
 
   /// The ground, and then each thing that has its place. Takes some milliseconds.
-  std::function<std::vector<Approach>()> everything;
+  std::function<std::vector<YardApproach>()> everything;
 
   /// CV_32FC1, pixels; NaN where depth is.
   cv::Mat disparity() const;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "environment/environment_model.h"
+#include "frame/clearance.h"
+
+namespace boomwatch {
+
+/// The occupied cells of a model, put together to connected pieces: what stands behind a distance
+/// is not its nearest cell alone. Two of the eight neighbours belong together when their surfaces
+/// differ in depth by no more than a tolerance.
+///
+/// rebuild() after an update of the model; everything else is const and may be read by several
+/// threads at once. 4 bytes a cell.
+class Pieces {
+ public:
+  /// `tolerance` in metres; two depth levels at least, so that a slope does not fall to pieces.
+  void rebuild(const EnvironmentModel& model, double tolerance);
+
+  /// The piece of the cell that a surface point lies in (camera frame, metres), without its
+  /// confidence; absent where nothing is occupied.
+  std::optional<Evidence> evidenceAt(const Eigen::Vector3d& onEnvironment) const;
+
+  /// Indices of the cells whose piece has a smaller diagonal than `extent` metres, ascending.
+  std::vector<std::size_t> smallerThan(double extent) const;
+
+ private:
+  static constexpr std::int32_t none = -1;
+
+  void label(const EnvironmentModel& model, int tolerance);
+  void measure(const EnvironmentModel& model);
+
+  GridGeometry m_geometry;
+  std::vector<std::int32_t> m_labels;  ///< row-major, a piece's index or `none`
+  std::vector<Evidence> m_pieces;
+};
+
+/// Of a collision with the piece: see Evidence::confidence. `highestProbability`: of the update in
+/// force. Pure.
+double confidenceOf(const Evidence& evidence, double highestProbability);
+
+}  // namespace boomwatch

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+
+#include "experiments/chain_stage.h"
+#include "experiments/chapter.h"
+
+namespace boomwatch {
+
+/// One stage over one sequence.
+struct ChainRun {
+  ChainKind kind = ChainKind::TruthCloud;
+  std::uint64_t seed = 0;
+  std::vector<ChainFrame> frames;
+};
+
+/// Error of the reported clearance, by stage and by band of the true distance. Frames in which a
+/// person or a branch is nearer than everything that has its place are left out: whether the model
+/// takes them up is another question.
+Table chainErrors(std::span<const ChainRun> runs, bool againstSeen);
+
+/// Missed and false alarms by stage.
+Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warning);
+
+/// Every one of them: where, for how long, and what stood where the chain had its nearest point.
+Table chainFaults(std::span<const ChainRun> runs, const WarningParameters& warning);
+
+/// How often there was no distance, and why.
+Table chainReasons(std::span<const ChainRun> runs);
+
+/// Every frame, for a file.
+Table chainFrames(std::span<const ChainRun> runs);
+
+/// Reported distance and truth against time.
+Figure chainFigure(const ChainRun& run, const WarningParameters& warning);
+
+}  // namespace boomwatch

@@ -1,0 +1,30 @@
+#include "experiments/experiment.h"
+
+#include "experiments/chain_experiment.h"
+#include "experiments/entry_experiment.h"
+#include "experiments/gap_experiment.h"
+#include "experiments/passing_experiment.h"
+#include "experiments/search_experiment.h"
+#include "experiments/simulator_experiment.h"
+#include "experiments/tracking_experiment.h"
+#include "experiments/update_rules_experiment.h"
+#include "experiments/update_time_experiment.h"
+
+namespace boomwatch {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all{
+      {"trackers", runTrackingExperiment},
+      {"frames to enter", runEntryExperiment},
+      {"gap", runGapExperiment},
+      {"passing by", runPassingExperiment},
+      {"update time", runUpdateTimeExperiment},
+      {"search", runSearchExperiment},
+      {"simulator", runSimulatorExperiment},
+      {"update rules", runUpdateRulesExperiment},
+      {"the whole chain", runChainExperiment},
+  };
+  return all;
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,40 @@
+#include "experiments/true_tool.h"
+
+#include <algorithm>
+
+#include "simulation/yard/yard_truth.h"
+
+namespace boomwatch {
+namespace {
+
+class TrueTracker : public Tracker {
+ public:
+  explicit TrueTracker(std::shared_ptr<const std::optional<cv::Rect2d>> box)
+      : m_box(std::move(box)) {}
+
+  using Tracker::start;
+  void start(const cv::Mat&, const cv::Rect2d&) override {}
+  Track track(const cv::Mat&) override {
+    if (!*m_box) return Track::lost();
+    return {TrackState::Tracked, *m_box, 1.0, LearningState::None};
+  }
+
+ private:
+  std::shared_ptr<const std::optional<cv::Rect2d>> m_box;
+};
+
+}  // namespace
+
+TrackerMaker TrueTool::maker() const {
+  return [box = m_box](TrackerKind) { return std::make_unique<TrueTracker>(box); };
+}
+
+std::optional<cv::Rect2d> toolBoxIn(const Frame& frame, double share) {
+  const YardTruth& truth = *frame.truth->yard;
+  const cv::Rect inside = truth.toolBox & cv::Rect({0, 0}, frame.left.size());
+  const bool large = std::min(inside.width, inside.height) >= Tracker::smallestSide;
+  if (!large || truth.toolVisible < share) return std::nullopt;
+  return cv::Rect2d(inside);
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,135 @@
+#include <QtTest>
+#include <map>
+#include <queue>
+
+#include "collision_scenes.h"
+#include "environment/pieces.h"
+
+using namespace boomwatch;
+
+namespace {
+
+const GridGeometry grid{{0, 2, 0, 1.5, 0, 5}, 0.05};
+
+/// A full piece by walking from cell to cell, the plain way.
+std::vector<std::size_t> walk(const EnvironmentModel& model, std::size_t start, int tolerance) {
+  const GridGeometry& g = model.geometry();
+  const auto levels = model.levels();
+  std::vector<bool> seen(levels.size());
+  std::vector<std::size_t> cells;
+  std::queue<std::size_t> next;
+  next.push(start);
+  seen[start] = true;
+  while (!next.empty()) {
+    const std::size_t k = next.front();
+    next.pop();
+    cells.push_back(k);
+    const int column = static_cast<int>(k) % g.columns(), row = static_cast<int>(k) / g.columns();
+    for (int j = row - 1; j <= row + 1; ++j) {
+      for (int i = column - 1; i <= column + 1; ++i) {
+        if (!g.contains(i, j)) continue;
+        const std::size_t other = g.index(i, j);
+        if (seen[other] || levels[other] == 0) continue;
+        if (std::abs(levels[other] - levels[k]) > tolerance) continue;
+        seen[other] = true;
+        next.push(other);
+      }
+    }
+  }
+  return cells;
+}
+
+Evidence at(const Pieces& pieces, int column, int row, double z) {
+  const auto evidence = pieces.evidenceAt(grid.surfacePoint(column, row, grid.levelOf(z)));
+  return evidence.value_or(Evidence{});
+}
+
+}  // namespace
+
+class TestPieces : public QObject {
+  Q_OBJECT
+ private slots:
+  void equalsAWalkFromCellToCell();
+  void aLoneCellCountsLessThanTheGround();
+  void aStepInDepthParts();
+  void whatIsSmallIsNamed();
+  void nothingIsBehindAFreeCell();
+};
+
+void TestPieces::equalsAWalkFromCellToCell() {
+  scenes::Random random(3);
+  for (const double share : {0.2, 0.35, 0.5, 0.9}) {
+    EnvironmentModel model(grid);
+    for (int j = 0; j < grid.rows(); ++j) {
+      for (int i = 0; i < grid.columns(); ++i) {
+        if (scenes::uniform(random, 0, 1) > share) continue;
+        scenes::occupy(model, i, j, scenes::uniform(random, 2.0, 2.3));
+      }
+    }
+    Pieces pieces;
+    pieces.rebuild(model, 0.1);
+    const int tolerance = static_cast<int>(0.1 / grid.levelStep());
+    for (int j = 0; j < grid.rows(); ++j) {
+      for (int i = 0; i < grid.columns(); ++i) {
+        const std::size_t k = grid.index(i, j);
+        if (model.levels()[k] == 0) continue;
+        const auto found = pieces.evidenceAt(grid.surfacePoint(i, j, model.levels()[k]));
+        QVERIFY(found);
+        QCOMPARE(found->cells, static_cast<int>(walk(model, k, tolerance).size()));
+      }
+    }
+  }
+}
+
+void TestPieces::aLoneCellCountsLessThanTheGround() {
+  EnvironmentModel model(grid);
+  for (int i = 0; i < grid.columns(); ++i) {
+    for (int j = 20; j < grid.rows(); ++j) scenes::occupy(model, i, j, 4.0);
+  }
+  scenes::occupy(model, 5, 5, 2.0);
+  Pieces pieces;
+  pieces.rebuild(model, 0.1);
+  const Evidence ground = at(pieces, 10, 25, 4.0), speck = at(pieces, 5, 5, 2.0);
+  QCOMPARE(ground.cells, 40 * 10);
+  QVERIFY(std::abs(ground.area - 2.0 * 0.5) < 1e-9);
+  QVERIFY(std::abs(ground.extent - std::hypot(2.0, 0.5)) < 1e-9);
+  QCOMPARE(speck.cells, 1);
+  QVERIFY(std::abs(speck.extent - 0.05 * std::sqrt(2.0)) < 1e-9);
+  // Area 0.0025 m2 of (20 cm)^2: 1 - exp(-1/16), times 0.6 of 2/3.
+  const double most = 2.0 / 3.0;
+  QVERIFY(std::abs(confidenceOf(speck, most) - 0.9 * (1 - std::exp(-1.0 / 16))) < 1e-6);
+  QVERIFY(std::abs(confidenceOf(ground, most) - 0.9) < 1e-6);
+}
+
+void TestPieces::aStepInDepthParts() {
+  EnvironmentModel model(grid);
+  for (int i = 0; i < 10; ++i) scenes::occupy(model, i, 10, i < 5 ? 2.0 : 2.5);
+  Pieces pieces;
+  pieces.rebuild(model, 0.1);
+  QCOMPARE(at(pieces, 0, 10, 2.0).cells, 5);
+  pieces.rebuild(model, 0.6);
+  QCOMPARE(at(pieces, 0, 10, 2.0).cells, 10);
+  QVERIFY(std::abs(at(pieces, 0, 10, 2.0).extent - Eigen::Vector3d(0.5, 0.05, 0.5).norm()) < 0.02);
+}
+
+void TestPieces::whatIsSmallIsNamed() {
+  EnvironmentModel model(grid);
+  scenes::occupy(model, 3, 4, 2.0);
+  for (int i = 10; i < 14; ++i) scenes::occupy(model, i, 4, 2.0);  // 20 cm x 5 cm
+  Pieces pieces;
+  pieces.rebuild(model, 0.1);
+  QVERIFY(pieces.smallerThan(0.05).empty());
+  QCOMPARE(pieces.smallerThan(0.1), std::vector<std::size_t>{grid.index(3, 4)});
+  QCOMPARE(pieces.smallerThan(0.21).size(), std::size_t{5});
+}
+
+void TestPieces::nothingIsBehindAFreeCell() {
+  Pieces pieces;
+  QVERIFY(!pieces.evidenceAt({1, 1, 1}));
+  pieces.rebuild(EnvironmentModel(grid), 0.1);
+  QVERIFY(!pieces.evidenceAt({1, 1, 1}));
+  QVERIFY(!pieces.evidenceAt({-5, 1, 1}));
+}
+
+QTEST_APPLESS_MAIN(TestPieces)
+#include "test_pieces.moc"
