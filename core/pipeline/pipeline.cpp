@@ -189,9 +189,9 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
     const LoadDetection detection =
         result.tool.point
             ? detectLoad(*result.cloud, *result.tool.point, noise, result.parameters.bounds,
-                         parameters, loads.expected(stamp, maxAge))
+                         parameters, loads.expected(stamp, maxAge, result.tool.point))
             : LoadDetection::refused(LoadFault::NoToolPoint);
-    const auto followed = loads.follow(detection, stamp, parameters, maxAge);
+    const auto followed = loads.follow(detection, stamp, parameters, maxAge, result.tool.point);
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;
