@@ -107,7 +107,7 @@ OrientedBox walker(double way) { return upright({-2.4 + way, 0.2, 3.15}, {0.5, 1
 /// still in its middle.
 constexpr double swingFor = 2.0, heldFor = 1.0;  // seconds
 OrientedBox sheet(double time) {
-  const double turn = 2.0 * std::numbers::pi * 1.3 * time;
+  const double turn = 2.0 * std::numbers::pi * 1.6 * time;
   const double radius = time < swingFor ? 0.3 : 0.0;
   return upright({0.4 + radius * std::cos(turn), -0.2 + radius * std::sin(turn), 0.905},
                  {0.3, 0.21, 0.01});
