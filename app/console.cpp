@@ -75,7 +75,7 @@ class ConsoleRun {
     }
     const OpenCommand last = m_window.lastSource();
     const bool any = !last.address.empty();
-    m_window.openSource(any ? QString::fromStdString(last.address) : "demo:cylinders",
+    m_window.openSource(any ? QString::fromStdString(last.address) : "demo:yard",
                         any ? last.options : m_line.sourceOptions);
   }
 

@@ -49,7 +49,7 @@ class HeadlessRun {
  public:
   explicit HeadlessRun(const CommandLine& line)
       : m_line(line),
-        m_source(openSource(line.source.isEmpty() ? "demo:cylinders" : line.source.toStdString(),
+        m_source(openSource(line.source.isEmpty() ? "demo:yard" : line.source.toStdString(),
                             line.sourceOptions)),
         m_writer(line.output) {
     if (line.tool) m_pipeline.order(PickTool{*line.tool});

@@ -738,10 +738,6 @@
         <translation>Die rechte Kamera um bis zu ein Grad drehen, damit die Zeilen beider Bilder übereinstimmen</translation>
     </message>
     <message>
-        <source>scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
-        <translation>scene: nur was die Quelle selbst weiß; manual: die Werte darunter; detected: in jedem Bild am Werkzeug gefunden</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Form</translation>
     </message>
@@ -844,6 +840,10 @@
     <message>
         <source>Watch the distance from the boom&apos;s segments, as far as they are seen</source>
         <translation>Den Abstand von den Teilen des Auslegers überwachen, soweit sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>auto: detected where a tool is followed, else what the source knows; scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
+        <translation>auto: erkannt, wo ein Werkzeug verfolgt wird, sonst was die Quelle weiß; scene: nur, was die Quelle selbst weiß; manual: die Werte unten; detected: in jedem Bild am Werkzeug gefunden</translation>
     </message>
 </context>
 <context>

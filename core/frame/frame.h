@@ -31,6 +31,8 @@ struct Frame {
   std::shared_ptr<const StereoRig> rig;  ///< set with `right`
   std::shared_ptr<const Cloud> cloud;    ///< set unless stereo
   std::optional<OrientedBox> load;       ///< where the source itself knows the load (demo scenes)
+  /// Where the source itself knows the tool: a box to begin to follow it with, pixels of `left`.
+  std::optional<cv::Rect2d> tool;
   std::optional<Truth> truth;
   bool still = false;  ///< repeated on purpose: that it equals the last one is no fault
 };

@@ -11,6 +11,7 @@ using Eigen::Vector3d;
 
 constexpr double roughness = 0.03;  ///< metres by which a log is no cylinder
 constexpr double slack = 0.05;      ///< metres by which a whole slice may lie behind it
+constexpr double shared = 0.3;      ///< share of a point's noise that its neighbours have as well
 constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
 
 /// What the camera sees in a slice across the cylinder, along its near line.
@@ -18,6 +19,7 @@ struct Slice {
   int on = 0, behind = 0, before = 0;
   double sum = 0.0;       ///< of (q - expected q) of those on it
   double expected = 0.0;  ///< how many samples have room there
+  double u = 0.0;         ///< its middle
   double q = 0.0;         ///< of the near line
   double along = 0.0;     ///< metres from where it passes the tool
   bool inPicture = false;
@@ -40,8 +42,8 @@ SliceKind kindOf(const Slice& slice, double noise) {
   if (slice.on <= slice.behind) return SliceKind::Ended;
   const double mean = slice.sum / slice.on, allowed = slack * slice.q * slice.q;
   // Where the flat end faces the camera, it leaves the round surface backwards.
-  return mean < -(3.0 * noise / std::sqrt(double(slice.on)) + allowed) ? SliceKind::Ended
-                                                                       : SliceKind::On;
+  const double within = 3.0 * noise * std::sqrt(1.0 / slice.on + shared * shared);
+  return mean < -(within + allowed) ? SliceKind::Ended : SliceKind::On;
 }
 
 void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
@@ -84,6 +86,7 @@ Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCyli
   for (std::size_t i = 0; i < cutting.slices.size(); ++i) {
     Slice& slice = cutting.slices[i];
     const double u = cutting.middle(i);
+    slice.u = u;
     slice.q = line.q(u);
     if (!(slice.q > 0.0)) continue;
     const Vector3d p = line.at(u);
@@ -110,19 +113,21 @@ struct Followed {
 /// Walks outwards from slice `from` in steps of `step`.
 class Walk {
  public:
-  Walk(const Slices& cutting, const DepthPatch& patch, double toolRadius)
-      : m_cutting(cutting), m_patch(patch), m_toolRadius(toolRadius) {}
+  Walk(const Slices& cutting, const DepthPatch& patch, const AlongRange& range)
+      : m_cutting(cutting), m_patch(patch), m_range(range) {}
 
   Followed follow(std::ptrdiff_t from, int step) const {
     const auto count = static_cast<std::ptrdiff_t>(m_cutting.slices.size());
     const int shortest = slicesOf(1.5 * m_patch.cell) + 1, longest = slicesOf(7.0 * m_patch.cell);
+    constexpr int fewest = 2;
     Followed end;
     end.u = end.farthest = m_cutting.middle(static_cast<std::size_t>(from));
     int ended = 0, empty = 0, covered = 0, off = 0;
     for (std::ptrdiff_t i = from; i >= 0 && i < count; i += step) {
       const Slice& slice = m_cutting.slices[static_cast<std::size_t>(i)];
       if (slice.q <= 0.0) break;
-      if (std::abs(slice.along) < m_toolRadius) continue;
+      if (slice.along < m_range.from || slice.along > m_range.to) break;
+      if (!m_range.holds(slice.along)) continue;
       const double outer =
           m_cutting.middle(static_cast<std::size_t>(i)) + step * m_cutting.width / 2.0;
       const SliceKind kind = kindOf(slice, m_patch.noise);
@@ -133,6 +138,11 @@ class Walk {
         ended = empty = covered = 0;
         continue;
       }
+      if (kind == SliceKind::Empty && !slice.inPicture && end.on > 0 && ended >= fewest &&
+          covered == 0) {
+        end.seen = true;  // just before the border
+        return end;
+      }
       if (kind == SliceKind::Covered || (kind == SliceKind::Empty && !slice.inPicture)) {
         ++covered;
         end.farthest = outer;
@@ -140,7 +150,8 @@ class Walk {
         ++(kind == SliceKind::Ended ? ended : empty);
       }
       off += kind == SliceKind::Ended ? 1 : 0;
-      if (ended >= shortest || ended + empty >= longest) {
+      const int enough = end.on > 0 ? shortest : 4 * shortest;
+      if (ended >= enough || ended + empty >= longest) {
         // Before a sky that gives no depth an end is seen as well.
         end.seen = covered < shortest;
         return end;
@@ -155,8 +166,44 @@ class Walk {
   }
   const Slices& m_cutting;
   const DepthPatch& m_patch;
-  double m_toolRadius;
+  const AlongRange& m_range;
 };
+
+/// Where the camera sees a slice's middle on the flat end at `along`: how much less its inverse
+/// depth is than that of the round surface.
+double offOnFlat(const Slice& slice, const Vector3d& ray, const Vector3d& outwards, double end) {
+  const double depth = end / ray.dot(outwards);  // the plane of the end: p . outwards = end
+  return depth > 0.0 ? std::min(0.0, 1.0 / depth - slice.q) : 0.0;
+}
+
+/// Where the flat end faces the camera it is seen beyond the round surface, and leaves it gradually:
+/// the place for which what is seen on both fits best. `u` is where it was left for certain.
+double sharpened(const Slices& cutting, const NearLine& line, double u, int step, double noise) {
+  constexpr int tried = 40;
+  constexpr double farthest = 0.4, facing = -0.1;  // metres; cosine
+  const Vector3d outwards = line.direction() * step, edge = line.at(u);
+  if (outwards.dot(edge.normalized()) > facing) return u;
+  const double end = outwards.dot(edge);
+  double best = u, least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < tried; ++k) {
+    const double back = farthest * k / tried;
+    double cost = 0.0;
+    for (const Slice& slice : cutting.slices) {
+      const double beyond = outwards.dot(line.at(slice.u)) - end;
+      if (slice.on == 0 || slice.q <= 0.0 || std::abs(beyond) > farthest) continue;
+      const Vector3d ray(1.0, slice.u, line.v(slice.u));
+      const double off = beyond > -back ? offOnFlat(slice, ray, outwards, end - back) : 0.0;
+      const double sigmas = (slice.sum / slice.on - off) * std::sqrt(double(slice.on)) / noise;
+      cost += std::min(sigmas * sigmas, 9.0);
+    }
+    if (cost < least) {
+      least = cost;
+      const Vector3d p = edge - outwards * back;
+      best = p[1] / p[0];
+    }
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -168,7 +215,8 @@ double CylinderEnds::alongAxis(const ViewedCylinder& cylinder, double u) {
 }
 
 CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
-                      const ViewedCylinder& cylinder, const Vector3d& tool, double toolRadius) {
+                      const ViewedCylinder& cylinder, const Vector3d& tool,
+                      const AlongRange& range) {
   const Slices cutting = cut(patch, frame, cylinder, tool);
   CylinderEnds ends;
   std::size_t from = 0;
@@ -178,11 +226,12 @@ CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
     if (slice.q > 0.0 && std::abs(slice.along) < least) from = i, least = std::abs(slice.along);
   }
   if (!std::isfinite(least)) return ends;
-  const Walk walk(cutting, patch, toolRadius);
+  const Walk walk(cutting, patch, range);
+  const NearLine line = NearLine::of(cylinder);
   int on = 0, off = 0;
   for (const std::size_t side : {0U, 1U}) {
     const Followed end = walk.follow(static_cast<std::ptrdiff_t>(from), side == 0 ? -1 : 1);
-    ends.u[side] = end.u;
+    ends.u[side] = end.seen ? sharpened(cutting, line, end.u, side == 0 ? -1 : 1, patch.noise) : end.u;
     ends.farthest[side] = end.farthest;
     ends.seen[side] = end.seen;
     ends.shown[side] = end.on * cutting.width;

@@ -19,9 +19,9 @@ struct CylinderEnds {
 
 /// Follows `cylinder` from where it passes the tool to both sides until the surface that is seen is
 /// no longer its own. What stands before it does not end it. `tool` in the frame's axes, metres;
-/// what is within `toolRadius` of it along the cylinder is passed over.
+/// what is within `range.toolRadius` of it along the cylinder is passed over.
 CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
                       const ViewedCylinder& cylinder, const Eigen::Vector3d& tool,
-                      double toolRadius);
+                      const AlongRange& range);
 
 }  // namespace boomwatch

@@ -14,46 +14,74 @@ using Eigen::Vector3d;
 using Vector5 = Eigen::Matrix<double, ViewedCylinder::parameters, 1>;
 using Matrix5 = Eigen::Matrix<double, ViewedCylinder::parameters, ViewedCylinder::parameters>;
 
-constexpr double endOn = 0.2;       ///< radians between axis and view below which no length is seen
 constexpr double roughness = 0.01;  ///< metres by which bark is no cylinder
+constexpr double shared = 0.5;      ///< share of a point's noise that its neighbours have as well
+constexpr double soft = 4.0;        ///< a residual beyond its root pulls less and less
 constexpr double shortestAspect = 1.5;  ///< of length to diameter; what is stubbier has no axis
 
-/// Residuals in standard deviations: depths first, then the edges.
-void residuals(const Strip& strip, const DepthPatch& patch, const ViewedCylinder& cylinder,
-               std::vector<double>& out) {
+/// What is expected, in a frame; within how much.
+struct Expected {
+  NearLine axis;
+  double radius;
+};
+
+/// What a cylinder is measured by.
+struct Evidence {
+  const Strip& strip;
+  const DepthPatch& patch;
+  std::optional<Expected> expected;
+};
+
+void addExpected(const Expected& expected, const ViewedCylinder& cylinder,
+                 std::vector<double>& out) {
+  constexpr double aside = 0.1, deep = 0.15, thick = 0.05;  // metres, metres, share
+  const NearLine& axis = expected.axis;
+  for (const double u : {axis.ua, axis.ub}) {
+    const double q = axis.q(u);
+    out.push_back((cylinder.axisV(u) - axis.v(u)) / (aside * q));
+    out.push_back((cylinder.axisQ(u) - q) / (deep * q * q));
+  }
+  out.push_back((cylinder.radius() - expected.radius) / (thick * expected.radius));
+}
+
+/// Residuals in standard deviations: depths first, then the edges, then what is expected.
+void residuals(const Evidence& evidence, const ViewedCylinder& cylinder, std::vector<double>& out) {
+  const Strip& strip = evidence.strip;
+  const DepthPatch& patch = evidence.patch;
   out.clear();
   const CylinderOutline outline(cylinder);
   for (const Strip::Surface& s : strip.surface) {
-    const double noise = patch.noise / std::sqrt(static_cast<double>(s.count));
+    const double noise = patch.noise * std::sqrt(1.0 / s.count + shared * shared);
     const double sigma = std::hypot(noise, roughness * s.q * s.q);
     out.push_back((outline.q(s.u, s.v) - s.q) / sigma);
   }
   for (const Strip::Edge& e : strip.edges) {
     out.push_back((outline.edge(e.u, e.upper) - e.v) / patch.pitch);
   }
+  if (evidence.expected) addExpected(*evidence.expected, cylinder, out);
+}
+
+double costOf(const std::vector<double>& residuals) {
+  double sum = 0.0;
+  for (const double x : residuals) sum += std::log1p(x * x / soft);
+  return sum;
 }
 
 /// Levenberg-Marquardt; beyond about two standard deviations a residual pulls less and less.
-bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinder) {
+bool refine(const Evidence& evidence, ViewedCylinder& cylinder) {
   constexpr int iterations = 8;
-  constexpr double soft = 4.0;  // squared
   std::vector<double> now, moved;
   Eigen::Matrix<double, Eigen::Dynamic, ViewedCylinder::parameters> slope;
-  residuals(strip, patch, cylinder, now);
+  residuals(evidence, cylinder, now);
   if (now.size() < 10) return false;
   slope.resize(static_cast<Eigen::Index>(now.size()), ViewedCylinder::parameters);
-  const auto cost = [](const std::vector<double>& r) {
-    double sum = 0.0;
-    for (const double x : r) sum += std::log1p(x * x / soft);
-    return sum;
-  };
-  double damping = 1e-3, best = cost(now);
+  double damping = 1e-3, best = costOf(now);
   for (int k = 0; k < iterations; ++k) {
     for (int j = 0; j < ViewedCylinder::parameters; ++j) {
       ViewedCylinder nudged = cylinder;
       const double step = 1e-5 * std::max(0.01, std::abs(cylinder.x[j]));
       nudged.x[j] += step;
-      residuals(strip, patch, nudged, moved);
+      residuals(evidence, nudged, moved);
       for (std::size_t i = 0; i < now.size(); ++i) {
         slope(static_cast<Eigen::Index>(i), j) = (moved[i] - now[i]) / step;
       }
@@ -73,8 +101,8 @@ bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinde
       damping *= 10.0;
       continue;
     }
-    residuals(strip, patch, tried, moved);
-    const double cost2 = cost(moved);
+    residuals(evidence, tried, moved);
+    const double cost2 = costOf(moved);
     if (!(cost2 < best)) {
       damping *= 10.0;
       continue;
@@ -87,13 +115,27 @@ bool refine(const Strip& strip, const DepthPatch& patch, ViewedCylinder& cylinde
   return cylinder.isUsable();
 }
 
+/// Of the strip's own guess and what was found before, the one that it agrees with better.
+void chooseStart(Strip& strip, const Evidence& evidence, const CylinderFrame& frame,
+                 const CylinderFit& before) {
+  ViewedCylinder known = strip.guess;
+  const NearLine axis = NearLine::of(frame, {before.centre, before.axis});
+  known.x << axis.v(known.ua), axis.v(known.ub), axis.q(known.ua), axis.q(known.ub), before.radius;
+  if (!known.isUsable()) return;
+  std::vector<double> ofGuess, ofKnown;
+  residuals(evidence, strip.guess, ofGuess);
+  residuals(evidence, known, ofKnown);
+  if (costOf(ofKnown) < costOf(ofGuess)) strip.guess = known;
+}
+
 /// Whether what was fitted is round and there: depths and both edges agree with it.
-bool agrees(const Strip& strip, const DepthPatch& patch, const ViewedCylinder& cylinder) {
+bool agrees(const Evidence& evidence, const ViewedCylinder& cylinder) {
+  const Strip& strip = evidence.strip;
   constexpr double within = 3.0, leastShare = 0.6;
   std::vector<double> all;
-  residuals(strip, patch, cylinder, all);
+  residuals(evidence, cylinder, all);
   std::array<int, 3> good{}, count{};  // depths, lower edge, upper edge
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < strip.surface.size() + strip.edges.size(); ++i) {
     const std::size_t edge = i - std::min(i, strip.surface.size());
     const std::size_t kind = i < strip.surface.size() ? 0 : strip.edges[edge].upper ? 2 : 1;
     ++count[kind];
@@ -134,36 +176,54 @@ CylinderFit inCamera(const CylinderFrame& frame, const ViewedCylinder& cylinder,
   return fit;
 }
 
+std::optional<Expected> expectedIn(const CylinderFrame& frame, const CylinderLimits& limits) {
+  if (!limits.expected) return std::nullopt;
+  const auto a = frame.look(limits.expected->from), b = frame.look(limits.expected->to);
+  if (!(a.q > 0.0 && b.q > 0.0)) return std::nullopt;
+  return Expected{{a.u, b.u, a.v, b.v, a.q, b.q}, limits.expected->radius};
+}
+
 }  // namespace
 
 CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits) {
   constexpr int rounds = 2;
-  constexpr double leastFilled = 0.7, leastOutlined = 0.4, room = 0.1;
+  constexpr double leastFilled = 0.7, leastOutlined = 0.4;
+  constexpr double room = 0.1, beyond = 0.35;  // metres
   LoadAxis surface = start;
-  Strip::Limits around{limits.maxRadius, limits.maxRadius, limits.toolRadius};
+  Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, {limits.toolRadius}};
+  AlongRange range{limits.toolRadius};
+  if (limits.expected) {
+    const ExpectedCylinder& expected = *limits.expected;
+    around.halfWidth = 1.6 * expected.radius + room;
+    range.from = start.direction.dot(expected.from - tool) - beyond;
+    range.to = start.direction.dot(expected.to - tool) + beyond;
+    around.along = range;
+  }
   CylinderFit fit;
   for (int round = 0; round < rounds; ++round) {
-    const auto frame = CylinderFrame::facing(surface.point, surface.direction, endOn);
+    const auto frame = CylinderFrame::facing(surface.point, surface.direction, limits.endOn);
     if (!frame) return refused(LoadFault::EndOn);
     const Vector3d local = frame->toLocal(tool);
     auto strip = cutStrip(patch, *frame, NearLine::of(*frame, surface), local, around);
     if (!strip) return refused(LoadFault::FewPoints);
+    const Evidence evidence{*strip, patch, expectedIn(*frame, limits)};
+    if (round > 0) chooseStart(*strip, evidence, *frame, fit);
     ViewedCylinder& cylinder = strip->guess;
-    if (!refine(*strip, patch, cylinder)) return refused(LoadFault::PoorFit);
+    if (!refine(evidence, cylinder)) return refused(LoadFault::PoorFit);
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
-    const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, limits.toolRadius);
+    const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, range);
     fit = inCamera(*frame, cylinder, ends, local, limits.toolRadius);
     if (!(fit.length > shortestAspect * 2.0 * fit.radius)) return refused(LoadFault::NoBody);
-    if (round + 1 == rounds && (!agrees(*strip, patch, cylinder) || ends.filled < leastFilled ||
+    if (round + 1 == rounds && (!agrees(evidence, cylinder) || ends.filled < leastFilled ||
                                 strip->outlined < leastOutlined)) {
       return refused(LoadFault::PoorFit);
     }
     const Vector3d away = fit.centre - fit.axis * fit.axis.dot(fit.centre);
     surface = {fit.centre - away.normalized() * fit.radius, fit.axis};
-    around.halfWidth = std::min(limits.maxRadius, 1.6 * fit.radius + room);
-    around.from = -fit.arm[0] - limits.toolRadius - room;
-    around.to = fit.arm[1] + limits.toolRadius + room;
+    around.halfWidth = 1.6 * fit.radius + room;
+    around.along.from = -fit.arm[0] - limits.toolRadius - room;
+    around.along.to = fit.arm[1] + limits.toolRadius + room;
   }
   return fit;
 }

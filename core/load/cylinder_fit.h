@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "load/axis_search.h"
 
@@ -20,16 +21,24 @@ struct CylinderFit {
   std::array<double, 2> shown{};   ///< how much of that is seen
 };
 
-/// Metres.
+/// A log that was seen a moment ago, where it is by now, about. Camera frame, metres.
+struct ExpectedCylinder {
+  Eigen::Vector3d from, to;  ///< the ends of its axis
+  double radius;
+};
+
+/// Metres, but for endOn.
 struct CylinderLimits {
   double toolRadius;  ///< along the log, from where it passes the tool: not load, but tool
-  double maxRadius;
+  double minRadius, maxRadius;
+  double endOn = 0.2;  ///< radians between axis and view below which its length is not seen
+  std::optional<ExpectedCylinder> expected = {};
 };
 
 /// Fits a cylinder to what is seen along `start`, a line on its surface, without the tool: least
 /// squares over its outline (which gives the radius and where it lies across the view) and the
 /// inverse depths of its near side (which give the distance and the tilt), robust against what
-/// covers it; then follows it to where it ends. Pure.
+/// covers it; then follows it to where it ends. What is expected counts as a few points do. Pure.
 CylinderFit fitCylinder(const DepthPatch& patch, const Eigen::Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits);
 

@@ -74,8 +74,7 @@ class Cutter {
     for (std::size_t i = 0; i < count; ++i) {
       const double u = middle(i);
       if (!(line.q(u) > 0.0)) continue;
-      const double along = direction.dot(line.at(u) - tool);
-      m_open[i] = std::abs(along) > limits.toolRadius && along > limits.from && along < limits.to;
+      m_open[i] = limits.along.holds(direction.dot(line.at(u) - tool));
     }
   }
 
@@ -213,9 +212,9 @@ struct Outline {
 
 /// By drawing two slices at a time; the outline that most slices fit.
 std::optional<Outline> outlineOf(const std::vector<Slice>& slices, const DepthPatch& patch,
-                                 double maxRadius) {
+                                 const Strip::Limits& limits) {
   constexpr int draws = 150;
-  constexpr double thinnest = 0.03, taper = 0.35;
+  constexpr double taper = 0.35;
   std::vector<const Slice*> whole;
   for (const Slice& s : slices) {
     if (s.free[0] && s.free[1]) whole.push_back(&s);
@@ -231,7 +230,7 @@ std::optional<Outline> outlineOf(const std::vector<Slice>& slices, const DepthPa
     if (!(std::abs(a.u - b.u) > apart)) continue;
     const double widthA = (a.v[1] - a.v[0]) / a.q, widthB = (b.v[1] - b.v[0]) / b.q;
     if (std::abs(widthA - widthB) > taper * std::min(widthA, widthB)) continue;
-    if (!(widthA > 2.0 * thinnest && widthA < 2.2 * maxRadius)) continue;
+    if (!(widthA > 2.0 * limits.minRadius && widthA < 2.2 * limits.maxRadius)) continue;
     Outline tried;
     tried.within = 2.0 * patch.pitch + 0.015 * a.q;
     for (const std::size_t side : {0U, 1U}) {
@@ -290,7 +289,7 @@ std::optional<Strip> cutStrip(const DepthPatch& patch, const CylinderFrame& fram
   constexpr std::size_t leastSurface = 20, leastSlices = 5;
   Cutter cutter(patch, frame, line, tool, limits);
   const std::vector<Slice> slices = cutter.cut();
-  const auto outline = outlineOf(slices, patch, limits.maxRadius);
+  const auto outline = outlineOf(slices, patch, limits);
   if (!outline) return std::nullopt;
   Strip strip;
   std::vector<const Slice*> kept;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,11 +23,8 @@ struct Strip {
   /// Metres.
   struct Limits {
     double halfWidth;  ///< how far from the line is looked
-    double maxRadius;
-    double toolRadius;  ///< along the line, from where it passes the tool: left out
-    /// Along the line, from where it passes the tool, to both sides: what lies beyond is left out.
-    double from = -std::numeric_limits<double>::infinity();
-    double to = std::numeric_limits<double>::infinity();
+    double minRadius, maxRadius;
+    AlongRange along;
   };
   std::vector<Surface> surface;
   std::vector<Edge> edges;

@@ -10,37 +10,63 @@ using Eigen::Vector3f;
 
 constexpr int finestHalfSide = 75, coarsestHalfSide = 20;
 constexpr double leastPerCell = 2.5;
-constexpr double samplesPerCell = 9.0;
-constexpr float nearest = 0.02F;  ///< metres; nothing is measured nearer
+constexpr double samplesPerCell = 4.0;  ///< at least, where the cloud has as many
+constexpr float nearest = 0.02F, farthest = 1e6F;  ///< metres; nothing is measured beyond
 
-/// Calls `take` with every `step`-th measured point in each direction.
+/// Calls `take` with every `thinning`-th measured point (a power of 2), evenly over both directions.
 template <class Take>
-void forPoints(const Cloud& cloud, int step, Take&& take) {
-  // What is not organised has no second direction: as many points are left out in the one it has.
-  const int across = cloud.organised() ? step : step * step;
-  for (int row = 0; row < cloud.height; row += step) {
+void forPoints(const Cloud& cloud, int thinning, Take&& take) {
+  int step = 1;
+  while (4 * step * step <= thinning) step *= 2;
+  const bool quincunx = step * step < thinning;
+  // What is not organised has no second direction.
+  const int across = cloud.organised() ? (quincunx ? 2 * step : step) : thinning;
+  for (int row = 0, k = 0; row < cloud.height; row += step, ++k) {
     const Vector3f* const points =
         cloud.points.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(cloud.width);
-    for (int column = 0; column < cloud.width; column += across) {
+    for (int column = quincunx && k % 2 == 1 ? step : 0; column < cloud.width; column += across) {
       const Vector3f& p = points[column];
-      if (p.z() > nearest && isMeasured(p)) take(p);
+      // Other coordinates that are no numbers, or infinite, lie outside every grid.
+      if (p.z() > nearest && p.z() < farthest) take(p);
     }
   }
 }
 
+/// Where a direction lies in the grid of a patch; DepthPatch::indexOf, for a million points.
+class GridPlace {
+ public:
+  explicit GridPlace(const DepthPatch& patch)
+      : m_side(patch.side),
+        m_scale(static_cast<float>(1.0 / patch.cell)),
+        m_u(static_cast<float>(-patch.u0 / patch.cell)),
+        m_v(static_cast<float>(-patch.v0 / patch.cell)) {}
+  int operator()(float u, float v) const {
+    const float column = u * m_scale + m_u, row = v * m_scale + m_v;
+    const auto side = static_cast<float>(m_side);
+    if (!(column >= 0.0F && column < side && row >= 0.0F && row < side)) return -1;
+    return static_cast<int>(row) * m_side + static_cast<int>(column);
+  }
+
+ private:
+  int m_side;
+  float m_scale, m_u, m_v;
+};
+
 /// How many points there are in a cell that has any, from every 16th.
 double density(const Cloud& cloud, DepthPatch& patch) {
-  constexpr int step = 4;
+  constexpr int thinning = 16;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   patch.uMin = patch.vMin = infinity;
   patch.uMax = patch.vMax = -infinity;
   std::vector<char> coarse(static_cast<std::size_t>(patch.side) * patch.side / 16 + patch.side);
   double count = 0.0, occupied = 0.0;
-  forPoints(cloud, step, [&](const Vector3f& p) {
-    const double u = p.x() / p.z(), v = p.y() / p.z();
-    patch.uMin = std::min(patch.uMin, u), patch.uMax = std::max(patch.uMax, u);
-    patch.vMin = std::min(patch.vMin, v), patch.vMax = std::max(patch.vMax, v);
-    const int index = patch.indexOf(u, v);
+  const GridPlace place(patch);
+  forPoints(cloud, thinning, [&](const Vector3f& p) {
+    const float u = p.x() / p.z(), v = p.y() / p.z();
+    if (!(std::isfinite(u) && std::isfinite(v))) return;
+    patch.uMin = std::min<double>(patch.uMin, u), patch.uMax = std::max<double>(patch.uMax, u);
+    patch.vMin = std::min<double>(patch.vMin, v), patch.vMax = std::max<double>(patch.vMax, v);
+    const int index = place(u, v);
     if (index < 0) return;
     ++count;
     const int block = (index / patch.side / 4) * (patch.side / 4 + 1) + index % patch.side / 4;
@@ -48,7 +74,7 @@ double density(const Cloud& cloud, DepthPatch& patch) {
     occupied += seen == 0 ? 16.0 : 0.0;  // a block is 4 x 4 cells
     seen = 1;
   });
-  return occupied > 0.0 ? count * step * step / occupied : 0.0;
+  return occupied > 0.0 ? count * thinning / occupied : 0.0;
 }
 
 struct Placed {
@@ -126,12 +152,14 @@ DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, d
     const int half = static_cast<int>(finestHalfSide * std::sqrt(perCell / leastPerCell));
     layGrid(patch, tool, reach, std::max(half, coarsestHalfSide));
   }
-  const int step = std::clamp(static_cast<int>(std::sqrt(perCell / samplesPerCell)), 1, 16);
+  int thinning = 1;
+  while (thinning < 256 && 2 * thinning * samplesPerCell <= perCell) thinning *= 2;
   std::vector<Placed> placed;
-  placed.reserve(cloud.size() / static_cast<std::size_t>(step * step) / 2 + 1);
-  forPoints(cloud, step, [&](const Vector3f& p) {
+  placed.reserve(cloud.size() / static_cast<std::size_t>(2 * thinning) + 1);
+  const GridPlace place(patch);
+  forPoints(cloud, thinning, [&](const Vector3f& p) {
     const float q = 1.0F / p.z(), u = p.x() * q, v = p.y() * q;
-    const int index = patch.indexOf(u, v);
+    const int index = place(u, v);
     if (index >= 0) placed.push_back({index, {u, v, q}});
   });
   if (placed.empty()) return patch;

@@ -21,8 +21,18 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double angleBetween(const Matrix3d& a, const Matrix3d& b) {
-  return Quaterniond(a).angularDistance(Quaterniond(b));
+/// Axis times radians: turned() by it, `from` becomes `to`.
+Vector3d turnBetween(const Matrix3d& from, const Matrix3d& to) {
+  const Eigen::AngleAxisd turn(Matrix3d(to * from.transpose()));
+  return turn.angle() * turn.axis();
+}
+
+Matrix3d turned(const Matrix3d& rotation, const Vector3d& turn) {
+  const double angle = turn.norm();
+  if (!(angle > 0.0)) return rotation;
+  return Quaterniond(Eigen::AngleAxisd(angle, turn / angle) * Quaterniond(rotation))
+      .normalized()
+      .toRotationMatrix();
 }
 
 }  // namespace
@@ -86,24 +96,25 @@ bool LoadFollower::jumps(const OrientedBox& seen, double passed) const {
   constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
   constexpr double turn = 0.35, turnSpeed = 2.0;
   return (seen.centre - boxAt(passed).centre).norm() > nearby + speed * passed ||
-         angleBetween(seen.rotation, m_pose->box.rotation) > turn + turnSpeed * passed;
+         turnBetween(boxAt(passed).rotation, seen.rotation).norm() > turn + turnSpeed * passed;
 }
 
 void LoadFollower::begin(const OrientedBox& seen, double stamp) {
   if (!m_pose) m_learningSince = stamp;
-  m_pose = Pose{seen, Vector3d::Zero(), stamp};
+  m_pose = Pose{seen, Vector3d::Zero(), Vector3d::Zero(), stamp};
   m_jumps = 0;
 }
 
 void LoadFollower::correct(const OrientedBox& seen, double passed) {
   Pose& pose = *m_pose;
-  const Vector3d expected = boxAt(passed).centre, off = seen.centre - expected;
-  pose.box.centre = expected + positionGain * off;
-  if (passed > 0.0) pose.velocity += velocityGain / passed * off;
-  pose.box.rotation = Quaterniond(pose.box.rotation)
-                          .slerp(positionGain, Quaterniond(seen.rotation))
-                          .normalized()
-                          .toRotationMatrix();
+  const OrientedBox expected = boxAt(passed);
+  const Vector3d off = seen.centre - expected.centre;
+  const Vector3d turn = turnBetween(expected.rotation, seen.rotation);
+  pose.box.centre = expected.centre + positionGain * off;
+  pose.box.rotation = turned(expected.rotation, positionGain * turn);
+  if (passed <= 0.0) return;
+  pose.velocity += velocityGain / passed * off;
+  pose.spin += velocityGain / passed * turn;
 }
 
 /// While learning, the median so far; then the one that was learnt.
@@ -126,6 +137,7 @@ void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameter
 OrientedBox LoadFollower::boxAt(double passed) const {
   OrientedBox box = m_pose->box;
   box.centre += m_pose->velocity * passed;
+  box.rotation = turned(box.rotation, m_pose->spin * passed);
   box.size = m_size;
   return box;
 }

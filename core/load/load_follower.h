@@ -37,6 +37,7 @@ class LoadFollower {
   struct Pose {
     OrientedBox box;                                     ///< its size is m_size
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< metres a second
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();      ///< axis times radians a second
     double stamp = 0.0;                                  ///< when it was last seen
   };
   std::optional<Pose> m_pose;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 #include "load/axis_search.h"
 #include "load/cylinder_fit.h"
@@ -24,8 +25,9 @@ struct Reaches {
 
   Reaches(const DepthPatch& patch, const Vector3d& tool, const LoadParameters& parameters) {
     constexpr double armCells = 4.0, thickest = 0.25;  // of the largest size, as a diameter
+    constexpr double thinnest = 0.03;
     constexpr double above = 0.15;  // by which a grapple is longer than it is wide
-    cylinder = {parameters.toolSize / 2.0, thickest / 2.0 * parameters.maxSize};
+    cylinder = {parameters.toolSize / 2.0, thinnest, thickest / 2.0 * parameters.maxSize};
     leastArm = armCells * patch.cell * tool.z();
     farthest = parameters.toolSize + above;
   }
@@ -43,9 +45,9 @@ OrientedBox boxOf(const CylinderFit& log) {
 
 /// On both sides of the tool, and seen there; a boom that passes the tool is not held by it.
 bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
-  constexpr double leastShown = 0.5, nearMiddle = 0.3;
+  constexpr double leastShown = 0.5, nearMiddle = 0.33;
   // The tool point lies on the tool's near side: of what points at the camera it is nearer that end.
-  constexpr double toolDepth = 0.25;
+  constexpr double toolDepth = 0.2;
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   const double shorter = std::min(fit.arm[0], fit.arm[1]) + reaches.cylinder.toolRadius;
   return std::min(fit.arm[0], fit.arm[1]) > reaches.leastArm &&
@@ -54,6 +56,25 @@ bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
 }
 
 bool isWhole(const CylinderFit& fit) { return fit.endSeen[0] && fit.endSeen[1]; }
+
+/// Whether the body goes on where the log ends, as a boom does at its joints.
+bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patch) {
+  constexpr double reach = 0.4, beside = 0.2, nearest = 0.08;  // metres beyond an end, or beside it
+  constexpr int stray = 8;                                     // cells
+  const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
+  std::array<int, 2> beyond{};
+  for (std::size_t i = 0; i < body.points.size(); ++i) {
+    const Vector3d offset = body.points[i] - fit.centre;
+    const double along = fit.axis.dot(offset), past = std::abs(along) - fit.length / 2.0;
+    if (past < -nearest || past > reach) continue;
+    const double z = body.points[i].z(), aside = (offset - along * fit.axis).norm() - fit.radius;
+    const double noise = 2.0 * patch.sigma[static_cast<std::size_t>(body.cells[i])] * z * z;
+    const bool isPast = past > nearest + noise * towards && aside < beside;
+    const bool isAside = aside > nearest + noise && aside < reach;
+    if (isPast || isAside) ++beyond[along < 0.0 ? 0 : 1];
+  }
+  return std::max(beyond[0], beyond[1]) > stray;
+}
 
 /// What says more: that something is there, that it is seen from end to end, or more of it.
 bool saysMore(const CylinderFit& fit, const CylinderFit& than) {
@@ -64,10 +85,17 @@ bool saysMore(const CylinderFit& fit, const CylinderFit& than) {
   return std::min(fit.shown[0], fit.shown[1]) > std::min(than.shown[0], than.shown[1]);
 }
 
+/// How well the place of an end along the axis is known: some pixels, and the less the more it
+/// points at the camera.
+double endWithin(const CylinderFit& log, const DepthPatch& patch) {
+  constexpr double least = 0.1, pixels = 3.0;
+  const double sine = log.axis.cross(log.centre.normalized()).norm();
+  return least + pixels * patch.pitch * log.centre.norm() / std::max(sine, 0.1);
+}
+
 /// Makes it as large as is known; the end that is seen stays where it is, and the other one must
 /// then be where it is hidden. False where that cannot be.
-bool giveSizes(CylinderFit& log, const Sizes& sizes) {
-  constexpr double within = 0.15;  // metres
+bool giveSizes(CylinderFit& log, const Sizes& sizes, double within) {
   const double missing = sizes.length - log.length;
   if (isWhole(log)) {
     if (std::abs(missing) > within) return false;
@@ -116,7 +144,9 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
     if (!axis) break;
     CylinderFit fit = fitCylinder(patch, body.tool, *axis, reaches.cylinder);
     const bool isThere = fit.fault == LoadFault::None;
-    if (isThere && !isHeld(fit, reaches)) fit.fault = LoadFault::NoBody;
+    if (isThere && (!isHeld(fit, reaches) || goesOn(fit, body, patch))) {
+      fit.fault = LoadFault::NoBody;
+    }
     if (saysMore(fit, log)) log = fit;
     if (isThere) search.leaveOut(fit.centre, fit.axis, fit.length / 2.0, fit.radius);
   }
@@ -125,7 +155,7 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked, whole = isWhole(log);
   if (isLocked || !whole) {
     const bool fits = sizes && (isLocked || isAsThick(log, sizes->radius));
-    if (!fits || !giveSizes(log, *sizes)) return LoadDetection::refused(LoadFault::EndHidden);
+    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch))) return LoadDetection::refused(LoadFault::EndHidden);
   }
   return {boxOf(log), LoadFault::None, whole};
 }
@@ -133,12 +163,16 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
+  constexpr double endOn = 0.12;
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
   const double radius = expected.size.y() / 2.0;
-  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis},
-                                {reaches.cylinder.toolRadius, 1.5 * radius});
+  const Vector3d half = axis * expected.size.x() / 2.0;
+  const CylinderLimits limits{
+      reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
+      ExpectedCylinder{expected.centre - half, expected.centre + half, radius}};
+  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis}, limits);
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const Vector3d offset = expected.centre - log.centre;
   const double across = (offset - log.axis * log.axis.dot(offset)).norm();
@@ -153,10 +187,11 @@ LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
   const bool whole = isWhole(log);
   const Sizes sizes{expected.size.x(), radius};
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked;
-  if (whole && !isLocked && std::abs(log.length - sizes.length) < 0.15) {
+  const double within = endWithin(log, patch);
+  if (whole && !isLocked && std::abs(log.length - sizes.length) < within) {
     return {boxOf(log), LoadFault::None, isHeld(log, reaches)};
   }
-  if (!giveSizes(log, sizes)) return LoadDetection::refused(LoadFault::EndHidden);
+  if (!giveSizes(log, sizes, within)) return LoadDetection::refused(LoadFault::EndHidden);
   return {boxOf(log), LoadFault::None, false};
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "load/axis_search.h"
@@ -67,6 +69,17 @@ struct NearLine {
   static NearLine of(const CylinderFrame& frame, const LoadAxis& axis);
   /// Where a cylinder is nearest to the camera.
   static NearLine of(const ViewedCylinder& cylinder);
+};
+
+/// Along a line, from where it passes the tool. Metres.
+struct AlongRange {
+  double toolRadius;  ///< so far to both sides is the tool: left out
+  double from = -std::numeric_limits<double>::infinity();  ///< and what lies before or beyond
+  double to = std::numeric_limits<double>::infinity();
+
+  bool holds(double along) const {
+    return std::abs(along) > toolRadius && along > from && along < to;
+  }
 };
 
 /// The measured cells that may lie within `halfWidth` metres of the line as it is seen, whatever

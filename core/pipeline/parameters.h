@@ -18,7 +18,8 @@ enum class ClearanceMethod { Exact, Rays };
 enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
 /// What is done about space that was never seen; see ClearanceParameters.
 enum class UnknownSpace { Ignore, Show, Solid };
-enum class LoadSource { Scene, Manual, Detected };
+/// Auto: detected where a tool is followed, else what the scene knows.
+enum class LoadSource { Auto, Scene, Manual, Detected };
 enum class LoadShape { Cylinder, Box, Auto };
 enum class LoadDimensions { Learnt, Locked };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
@@ -107,7 +108,7 @@ struct WarningParameters {
 /// The load as the operator describes it, or how it is detected. Metres, degrees (this is what a
 /// person types).
 struct LoadParameters {
-  LoadSource source = LoadSource::Scene;  ///< Scene: only what the source itself knows
+  LoadSource source = LoadSource::Auto;  ///< Scene: only what the source itself knows
   double x = 0.0, y = 0.0, z = 3.0;
   double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
   double yaw = 0.0, pitch = 0.0, roll = 0.0;

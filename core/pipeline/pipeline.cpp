@@ -38,10 +38,17 @@ constexpr double matchingNoise = 0.25;
 /// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
 constexpr double depthCameraNoise = 0.0014;
 
+/// Auto has become one of the others.
+LoadSource loadSource(const Result& result) {
+  const LoadSource wanted = result.parameters.load.source;
+  if (wanted != LoadSource::Auto) return wanted;
+  return result.tool.running() ? LoadSource::Detected : LoadSource::Scene;
+}
+
 Reason loadReason(const Result& result) {
   const std::optional<OrientedBox>& load = result.load;
   const Bounds& bounds = result.parameters.bounds;
-  if (!load && result.parameters.load.source == LoadSource::Detected) return Reason::LoadNotSeen;
+  if (!load && loadSource(result) == LoadSource::Detected) return Reason::LoadNotSeen;
   if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
 }
@@ -162,6 +169,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
 
 /// The tracker and the stereo matcher need only the picture: one works while the other does.
 std::future<void> Pipeline::State::look(const Result& result) {
+  tool.offer(result.frame->tool, result.parameters.tracking.tracker);
   if (!tool.needsImage()) return {};
   return std::async(std::launch::async,
                     [this, image = result.image, tracking = result.parameters.tracking] {
@@ -172,24 +180,25 @@ std::future<void> Pipeline::State::look(const Result& result) {
 std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
-  if (parameters.source == LoadSource::Detected) {
+  const LoadSource source = loadSource(result);
+  const bool detected = source == LoadSource::Detected;
+  if (detected) {
     const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
     const LoadDetection detection =
-        result.tool.point ? detectLoad(*result.cloud, *result.tool.point, noise,
-                                       result.parameters.bounds, parameters,
-                                       loads.expected(stamp, maxAge))
-                          : LoadDetection::refused(LoadFault::NoToolPoint);
+        result.tool.point
+            ? detectLoad(*result.cloud, *result.tool.point, noise, result.parameters.bounds,
+                         parameters, loads.expected(stamp, maxAge))
+            : LoadDetection::refused(LoadFault::NoToolPoint);
     const auto followed = loads.follow(detection, stamp, parameters, maxAge);
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;
   } else {
     loads.reset();
-    result.load = parameters.source == LoadSource::Manual ? parameters.box() : result.frame->load;
+    result.load = source == LoadSource::Manual ? parameters.box() : result.frame->load;
   }
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
-  const bool detected = parameters.source == LoadSource::Detected;
   const double margin = detected ? parameters.margin : result.parameters.model.resolution;
   return dynamicVolume(*result.load, margin, noise);
 }

@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 3> unknownNames{"ignore", "show", 
 inline constexpr std::array<std::string_view, 5> trackerNames{"manual", "tld", "cmt", "klt",
                                                               "csrt"};
 inline constexpr std::array<std::string_view, 2> toolPointNames{"right", "near"};
-inline constexpr std::array<std::string_view, 3> loadNames{"scene", "manual", "detected"};
+inline constexpr std::array<std::string_view, 4> loadNames{"auto", "scene", "manual", "detected"};
 inline constexpr std::array<std::string_view, 3> shapeNames{"cylinder", "box", "auto"};
 inline constexpr std::array<std::string_view, 2> dimensionNames{"learnt", "locked"};
 

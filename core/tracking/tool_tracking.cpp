@@ -18,6 +18,11 @@ void requireTracker(TrackerKind kind) {
 
 ToolTracking::ToolTracking(TrackerMaker maker) : m_make(std::move(maker)) {}
 
+void ToolTracking::offer(const std::optional<cv::Rect2d>& box, TrackerKind kind) {
+  if (!box || m_told || kind == TrackerKind::Manual) return;
+  order(TrackBox{*box});
+}
+
 bool ToolTracking::needsImage() const { return m_order || m_wanted; }
 
 void ToolTracking::look(const cv::Mat& image, const TrackingParameters& parameters) noexcept {

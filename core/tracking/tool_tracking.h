@@ -43,7 +43,13 @@ class ToolTracking {
   /// Taken up by the next look(). One that cannot be obeyed leaves a tracker that runs as it is,
   /// and the reason in ToolTrack::fault; where none runs, the tool counts as lost until another
   /// order.
-  void order(const ToolOrder& order) { m_order = order; }
+  void order(const ToolOrder& order) {
+    m_order = order;
+    m_told = true;
+  }
+  /// What the source says about it, to begin with: taken up unless a person has ever said anything,
+  /// or the tracker is Manual. Only the first counts.
+  void offer(const std::optional<cv::Rect2d>& box, TrackerKind kind);
   /// Whether look() has something to do.
   bool needsImage() const;
 
@@ -74,6 +80,7 @@ class ToolTracking {
 
   TrackerMaker m_make;
   std::optional<ToolOrder> m_order;
+  bool m_told = false;  ///< somebody said where the tool is
   std::unique_ptr<Tracker> m_tracker;
   TrackerKind m_kind = TrackerKind::Manual;  ///< of m_tracker
   bool m_wanted = false;                     ///< a person asked for a tracker

@@ -38,11 +38,22 @@ class YardSource : public IndexedSource {
       frame->cloud = cloudOf(measured(*truth, index), m_yard.eye(0).camera);
     }
     frame->load = truth->load;
+    frame->tool = boxAround(truth->toolPoint);
     frame->truth = Truth{truth->nearest.pair.distance, std::move(truth)};
     return ok(std::move(frame));
   }
 
  private:
+  /// The link, the rotator and the upper half of the grapple: as little background as can be.
+  cv::Rect2d boxAround(const Eigen::Vector3d& toolPoint) const {
+    constexpr double half = 0.28, above = 0.14, below = 0.55;  // metres
+    const PinholeCamera& camera = m_yard.eye(0).camera;
+    const double scale = camera.focal / toolPoint.z();
+    return {camera.cx() + (toolPoint.x() - half) * scale,
+            camera.cy() + (toolPoint.y() - above) * scale, 2 * half * scale,
+            (above + below) * scale};
+  }
+
   /// The mean of the pictures while the shutter is open.
   void addBlur(YardShot& shot, double time) const {
     std::array<cv::Mat, 2> sums;
