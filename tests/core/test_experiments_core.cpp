@@ -82,6 +82,11 @@ class TestExperimentsCore : public QObject {
     QCOMPARE(cell(held, "thesis", "frames to appear"), std::string("4"));
     QCOMPARE(cell(held, "thesis", "frames until it is gone"), std::string("1"));
     QCOMPARE(cell(held, "thesis", "most of it in the model while swung (%)"), std::string("0"));
+    // Who runs past a wall: in no place for four frames.
+    for (const Cells& row : tableOf(*chapter, "walking_past").rows) {
+      if (row[0] != "a wall at 5 m" || row[1] != "4.0" || row[2] == "log_odds") continue;
+      QCOMPARE(row[3], std::string(row[2] == "thesis" ? "100" : "0"));
+    }
     const Table head = tableOf(*chapter, "head_in_figure_19");
     for (const Cells& row : head.rows) QCOMPARE(row[2], row[1]);
   }
