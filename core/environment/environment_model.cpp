@@ -18,7 +18,6 @@ void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
   // Two bands of rows that share nothing, so that the result does not depend on timing.
   const Evidence evidence{points, masked};
   const int middle = m_geometry.rows() / 2;
-  if (parameters.update != ModelUpdate::Thesis) m_newcomers.resize(m_geometry.cellCount());
   auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, evidence, parameters); });
   updateRows(middle, m_geometry.rows(), evidence, parameters);
   upper.get();
@@ -31,7 +30,6 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
   const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence.masked);
   const std::size_t first = m_geometry.index(0, begin);
   const std::size_t count = m_geometry.index(0, end) - first;
-  if (parameters.update != ModelUpdate::Thesis) holdNewcomers(first, count, parameters);
   updateCells(std::span(m_probabilities).subspan(first, count),
               std::span(m_levels).subspan(first, count),
               std::span(m_nearness).subspan(first, count), parameters);
@@ -77,25 +75,6 @@ void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Ve
       nearness[k] = std::max(nearness[k], here);
     } else if (z > (perspective ? bounds.zMin : bounds.zMax) && std::isfinite(z)) {
       probabilities[k] = std::max(probabilities[k], seenThrough);
-    }
-  }
-}
-
-void EnvironmentModel::holdNewcomers(std::size_t first, std::size_t count,
-                                     const ModelParameters& parameters) {
-  // What noise and a slope within the cell can do is no newcomer.
-  constexpr double noise = 0.2;  // metres
-  const int before = std::max(1, static_cast<int>(std::ceil(noise / m_geometry.levelStep())));
-  const int needed = std::min(framesToEnter(parameters).value_or(1), 255);
-  for (std::size_t k = first; k < first + count; ++k) {
-    const int measured = 256 - m_nearness[k];
-    const bool isNew = m_nearness[k] != 0 && measured + before < m_levels[k];
-    m_newcomers[k] = isNew ? static_cast<std::uint8_t>(m_newcomers[k] + 1) : std::uint8_t{0};
-    if (!isNew) continue;
-    if (m_newcomers[k] < needed) {
-      m_nearness[k] = static_cast<std::uint8_t>(256 - m_levels[k]);
-    } else {
-      m_newcomers[k] = 0;
     }
   }
 }

@@ -35,11 +35,6 @@ class EnvironmentModel {
   /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
   /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
   /// is, so that an obstacle is not forgotten in the moment in which the load enters it.
-  ///
-  /// But for the thesis's update, what appears before a known surface must have been there for as
-  /// many frames as anything needs to enter (framesToEnter); until then it only hides that surface.
-  /// By Eq. 9 alone the cell, occupied as it is, would take over any bird's or leaf's depth at
-  /// once.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
               std::span<const Eigen::Vector3f> masked = {});
 
@@ -69,7 +64,6 @@ class EnvironmentModel {
   };
   void updateRows(int begin, int end, const Evidence& evidence, const ModelParameters& parameters);
   void projectRows(int begin, int end, std::span<const Eigen::Vector3f> points);
-  void holdNewcomers(std::size_t first, std::size_t count, const ModelParameters& parameters);
   std::vector<HiddenCell> hiddenCells(int begin, int end,
                                       std::span<const Eigen::Vector3f> masked) const;
 
@@ -77,8 +71,6 @@ class EnvironmentModel {
   std::vector<float> m_probabilities;
   std::vector<std::uint8_t> m_levels;
   std::vector<std::uint8_t> m_nearness;  ///< this frame: 256 - level; scratch, 0 between updates
-  /// Frames in a row in which something was measured before a cell's surface; empty until needed.
-  std::vector<std::uint8_t> m_newcomers;
   std::size_t m_frames = 0;
 };
 

@@ -171,39 +171,6 @@ class TestCellUpdate : public QObject {
     QCOMPARE(model.probabilities()[grid.index(3, 3)], before);
   }
 
-  // A bird before the ground: by Eq. 9 the occupied cell has its depth at once.
-  void whatAppearsBeforeASurfaceMustStayAsLongAsAnythingElse_data() { eachUpdate(); }
-  void whatAppearsBeforeASurfaceMustStayAsLongAsAnythingElse() {
-    QFETCH(ModelUpdate, update);
-    const ModelParameters parameters = with(update);
-    EnvironmentModel model = seenForLong(parameters);
-    const int needed = update == ModelUpdate::Thesis ? 1 : *framesToEnter(parameters);
-    const Points before{grid.surfacePoint(3, 3, 60).cast<float>()};
-    for (int visit = 0; visit < 3; ++visit) {
-      for (int frame = 1; frame < needed; ++frame) {
-        model.update(before, parameters);
-        QCOMPARE(int{model.levels()[grid.index(3, 3)]}, 100);
-      }
-      model.update(Points{inCell(3, 3)}, parameters);  // gone again
-    }
-    for (int frame = 1; frame <= needed; ++frame) {
-      QCOMPARE(int{model.levels()[grid.index(3, 3)]}, 100);
-      model.update(before, parameters);
-    }
-    QCOMPARE(int{model.levels()[grid.index(3, 3)]}, 60);
-    model.update(Points{inCell(3, 3)}, parameters);  // what is farther away is believed at once
-    QCOMPARE(int{model.levels()[grid.index(3, 3)]}, 100);
-  }
-
-  void whatIsALittleNearerIsNoNewcomer_data() { eachUpdate(); }
-  void whatIsALittleNearerIsNoNewcomer() {
-    QFETCH(ModelUpdate, update);
-    EnvironmentModel model = seenForLong(with(update));
-    // 255 levels are 2.5 m: 20 of them 0.2 m.
-    model.update(Points{grid.surfacePoint(3, 3, 80).cast<float>()}, with(update));
-    QCOMPARE(int{model.levels()[grid.index(3, 3)]}, 80);
-  }
-
   void blindnessIsForgottenAndLookingThroughIsFree_data() { eachUpdate(); }
   void blindnessIsForgottenAndLookingThroughIsFree() {
     QFETCH(ModelUpdate, update);
