@@ -123,7 +123,7 @@ class HeadlessRun {
     complain("the calibration does not fit: the rows of left and right differ by " +
              QString::number(*result.rowResidue, 'f', 1).toStdString() +
              (result.rowsCorrected ? " px. That is corrected; better calibrate anew."
-                                   : " px. Calibrate anew, or set stereo_refine."));
+                                   : " px. Calibrate anew, or set stereo_refine where it is off."));
   }
 
   /// No fault: some containers only estimate how many frames they hold.

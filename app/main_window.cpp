@@ -175,7 +175,7 @@ void MainWindow::showNotice(const Notice& notice) {
       break;
     case Notice::Kind::Calibration:
       m_panes.state->showFault(tr("The calibration does not fit: the rows of left and right differ "
-                                  "by %1 px. Calibrate anew, or switch on Refine.")
+                                  "by %1 px. Calibrate anew, or switch on Refine where it is off.")
                                    .arg(notice.text));
       break;
     case Notice::Kind::RowsCorrected:

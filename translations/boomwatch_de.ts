@@ -734,8 +734,8 @@
         <translation>Verfeinern</translation>
     </message>
     <message>
-        <source>Turn the right camera by up to a degree, so that the rows of both pictures agree</source>
-        <translation>Die rechte Kamera um bis zu ein Grad drehen, damit die Zeilen beider Bilder übereinstimmen</translation>
+        <source>Turn the right camera by up to a degree, and correct its focal length, so that the rows of both pictures agree</source>
+        <translation>Die rechte Kamera um bis zu ein Grad drehen und ihre Brennweite berichtigen, damit die Zeilen beider Bilder übereinstimmen</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1496,8 +1496,8 @@ Rechtsklick oder Escape: vergessen.</translation>
         <translation>Werkzeug: %1</translation>
     </message>
     <message>
-        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine.</source>
-        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein.</translation>
+        <source>The calibration does not fit: the rows of left and right differ by %1 px. Calibrate anew, or switch on Refine where it is off.</source>
+        <translation>Die Kalibrierung passt nicht: Die Zeilen von links und rechts weichen um %1 px ab. Kalibrieren Sie neu oder schalten Sie Verfeinern ein, wo es aus ist.</translation>
     </message>
     <message>
         <source>The calibration does not fit: the rows of left and right differ by %1 px. That is corrected; better calibrate anew.</source>

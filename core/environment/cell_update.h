@@ -13,11 +13,18 @@ inline constexpr float observedFloor = 1e-3F;
 /// What a point behind zMax makes of its cell: seen through in this frame.
 inline constexpr float seenThrough = 1e-2F;
 
+/// Depth levels by which two measurements of one surface may differ: 3 % of the depth range.
+inline constexpr int sameSurface = 8;
+
 /// One frame for a stretch of cells: their probabilities, their depth levels (0: not occupied) and
 /// 256 - level of what was measured in them, 0 for nothing, which is set back to 0. By `update`:
 ///
 /// - thesis: Eq. 8 and 9 of method.md section 6.
-/// - hysteresis: Eq. 8; a cell enters above `probtresh` and leaves at `leaveThreshold`.
+/// - hysteresis: Eq. 8; a cell enters above `probtresh` and leaves at `leaveThreshold`. What is
+///   measured more than `sameSurface` levels before or behind a cell's surface is a miss of it, not
+///   a hit. Before it, it takes the cell when it has been seen as often as a thing that enters (n of
+///   Eq. 23); behind it, when the surface would leave. So a leaf that falls past does not count, by
+///   whatever background, and a surface that is missed now and then stays.
 /// - log-odds: Bayes' rule with the odds of a hit and of a miss, held below `logOddsHigh`; a hit
 ///   counts from `logOddsLow` at least (Hornung et al. 2013, OctoMap, eq. 2-4, whose clamping and
 ///   default values these are). A cell that is missed goes on below it, until it is forgotten.

@@ -41,6 +41,8 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
 
 std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
     int begin, int end, std::span<const Eigen::Vector3f> masked) const {
+  // A load that enters an obstacle is seen a little behind its surface, with the noise of depth.
+  constexpr double room = 0.25;  // metres
   std::vector<HiddenCell> hidden;
   for (const Eigen::Vector3f& point : masked) {
     const double toPlane = m_geometry.toPlane(point.z());
@@ -48,7 +50,9 @@ std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
     const double column = m_geometry.columnPosition(point.x() * toPlane);
     if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
     const std::size_t k = m_geometry.index(static_cast<int>(column), static_cast<int>(row));
-    if (m_nearness[k] == 0) hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    // Farther away than the cell's surface it does not hide it: it is seen where that should be.
+    const bool behind = m_levels[k] > 0 && point.z() > m_geometry.zOf(m_levels[k]) + room;
+    if (m_nearness[k] == 0 && !behind) hidden.push_back({k, m_probabilities[k], m_levels[k]});
   }
   return hidden;
 }

@@ -34,7 +34,8 @@ class EnvironmentModel {
   ///
   /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
   /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
-  /// is, so that an obstacle is not forgotten in the moment in which the load enters it.
+  /// is, so that an obstacle is not forgotten in the moment in which the load enters it. One that
+  /// lies behind the cell's surface hides nothing: that has gone.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
               std::span<const Eigen::Vector3f> masked = {});
 

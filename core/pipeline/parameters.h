@@ -39,9 +39,9 @@ struct StereoParameters {
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
   double texture = 0.2;
-  int average = 1;      ///< frames of a still camera that a disparity is the mean of; 1 is off
-  bool refine = false;  ///< turn the right camera so that the rows of both pictures agree
-  int smooth = 0;       ///< width of the neighbourhood that a disparity is the mean of; 0 is off
+  int average = 1;     ///< frames of a still camera that a disparity is the mean of; 1 is off
+  bool refine = true;  ///< correct the right camera so that the rows of both pictures agree
+  int smooth = 0;      ///< width of the neighbourhood that a disparity is the mean of; 0 is off
 };
 
 /// Filtering and segmentation (method.md section 5). Metres.

@@ -188,8 +188,8 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
         {1, 200, 5}),
     row<&P::stereo, &S::refine>("stereo_refine",
                                 {TR("Stereo"), TR("Refine"),
-                                 TR("Turn the right camera by up to a degree, so that the rows of "
-                                    "both pictures agree")}),
+                                 TR("Turn the right camera by up to a degree, and correct its "
+                                    "focal length, so that the rows of both pictures agree")}),
     row<&P::stereo, &S::smooth>(
         "stereo_smooth",
         {TR("Stereo"), TR("Smooth"),

@@ -12,33 +12,47 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 // Neighbours say nearly the same: every fifth one will do, at a fraction of the work.
 constexpr int stride = 5;
 
-/// Adds the neighbours `shift` columns away that are like the centre. NaN fails the comparison.
-void addAlike(const float* centre, const float* neighbours, int shift, int columns, float* sum,
-              float* count) {
+/// What a row's pixels have around them.
+struct Neighbours {
+  float* sum;    ///< of those that are like it
+  float* alike;  ///< how many those are, itself among them
+  float* close;  ///< how many it could be noise of
+};
+
+/// Adds the neighbours `shift` columns away. NaN fails the comparisons.
+void addNeighbours(const float* centre, const float* neighbours, int shift, int columns,
+                   const Neighbours& to) {
   const int begin = std::max(0, -shift), end = std::min(columns, columns - shift);
   for (int column = begin; column < end; ++column) {
     const float there = neighbours[column + shift];
-    const bool alike = std::abs(there - centre[column]) < DisparitySmoother::alike;
-    sum[column] += alike ? there : 0.0F;
-    count[column] += alike ? 1.0F : 0.0F;
+    const float apart = std::abs(there - centre[column]);
+    const bool alike = apart < DisparitySmoother::alike;
+    to.sum[column] += alike ? there : 0.0F;
+    to.alike[column] += alike ? 1.0F : 0.0F;
+    to.close[column] += apart < DisparitySmoother::jump ? 1.0F : 0.0F;
   }
 }
 
 void smoothRow(const cv::Mat& from, int row, int reach, cv::Mat& to, std::vector<float>& scratch) {
   const int columns = from.cols;
-  scratch.assign(2 * static_cast<std::size_t>(columns), 0.0F);
+  scratch.assign(3 * static_cast<std::size_t>(columns), 0.0F);
   float* const sum = scratch.data();
-  float* const count = sum + columns;
+  const Neighbours around{sum, sum + columns, sum + 2 * columns};
   const auto* centre = from.ptr<float>(row);
   for (int dy = -reach; dy <= reach; dy += stride) {
     if (row + dy < 0 || row + dy >= from.rows) continue;
     for (int dx = -reach; dx <= reach; dx += stride) {
-      addAlike(centre, from.ptr<float>(row + dy), dx, columns, sum, count);
+      addNeighbours(centre, from.ptr<float>(row + dy), dx, columns, around);
     }
   }
+  // What the corner of a surface has around it. A pixel that could be noise of so much, but is like
+  // less than a quarter of it, is noise. Never on a slope: there it is like a third.
+  const auto corner = static_cast<float>((reach / stride + 1) * (reach / stride + 1));
   auto* out = to.ptr<float>(row);
   for (int column = 0; column < columns; ++column) {
-    out[column] = count[column] > 0.0F ? sum[column] / count[column] : none;
+    const float alike = around.alike[column];
+    const bool noise = alike < corner / 4.0F && around.close[column] >= corner;
+    out[column] = alike > 0.0F && !noise ? sum[column] / alike : none;
   }
 }
 
@@ -55,9 +69,27 @@ cv::Mat smoothOnce(const cv::Mat& disparity, int window) {
   return result;
 }
 
+/// Whether a disparity may be noise of a surface that is known nearby.
+bool mayBeNoiseOf(const cv::Mat& known, int row, int column, float disparity) {
+  constexpr int reach = DisparitySmoother::nearby, apart = reach / 3;
+  const int right = std::min(column + reach, known.cols - 1);
+  for (int y = row - reach; y <= row + reach; y += apart) {
+    if (y < 0 || y >= known.rows) continue;
+    const auto* there = known.ptr<float>(y);
+    for (int x = column < reach ? column % apart : column - reach; x <= right; x += apart) {
+      if (std::abs(there[x] - disparity) <= DisparitySmoother::jump) return true;
+    }
+  }
+  return false;
+}
+
+float framesToSettle(float frames) {
+  return std::min(frames, static_cast<float>(DisparitySmoother::settled));
+}
+
 /// One pixel. `count`: frames in a row that agree with `mean`, or, below 0, frames without a match.
 float takeIn(float now, float& mean, float& count, float frames) {
-  const float enough = std::min(frames, static_cast<float>(DisparitySmoother::settled));
+  const float enough = framesToSettle(frames);
   if (std::isnan(now)) {
     count = std::min(count, 0.0F) - 1.0F;
     if (count < -frames) mean = none;
@@ -68,9 +100,7 @@ float takeIn(float now, float& mean, float& count, float frames) {
     count = std::min(std::max(count, 0.0F) + 1.0F, frames);
     mean += change / count;
   } else {
-    // A NaN: nothing is known that it could be noise of.
-    const bool atOnce = std::isnan(change) || change > DisparitySmoother::clearlyNearer;
-    count = atOnce ? enough : 1.0F;
+    count = change > DisparitySmoother::clearlyNearer ? enough : 1.0F;
     mean = now;
   }
   return count >= enough ? mean : none;
@@ -88,12 +118,21 @@ cv::Mat DisparitySmoother::overTime(const cv::Mat& disparity, int frames) {
     m_frames = cv::Mat(disparity.size(), CV_32FC1, cv::Scalar(0));
   }
   cv::Mat result(disparity.size(), CV_32FC1);
+  // Only what has long been still: the edge of a thing that moves must not wait for the rest of it.
+  cv::Mat known(disparity.size(), CV_32FC1, cv::Scalar(none));
+  m_mean.copyTo(known, m_frames >= frames);
+  const float enough = framesToSettle(static_cast<float>(frames));
   for (int row = 0; row < disparity.rows; ++row) {
     const auto* now = disparity.ptr<float>(row);
     auto* mean = m_mean.ptr<float>(row);
     auto* count = m_frames.ptr<float>(row);
     auto* out = result.ptr<float>(row);
     for (int column = 0; column < disparity.cols; ++column) {
+      if (std::isnan(mean[column]) && !std::isnan(now[column]) &&
+          !mayBeNoiseOf(known, row, column, now[column])) {
+        mean[column] = now[column];
+        count[column] = enough - 1.0F;
+      }
       out[column] = takeIn(now[column], mean[column], count[column], static_cast<float>(frames));
     }
   }

@@ -10,16 +10,20 @@ namespace boomwatch {
 ///
 /// In time: the running mean of a pixel's disparities. A disparity that lies `jump` pixels from it
 /// may be noise, and counts once `settled` frames in a row agree. It counts at once when it is
-/// nearer by more than noise ever is, or when nothing was matched there for as long as is averaged:
-/// what comes near must not wait.
+/// nearer by more than noise ever is: what comes near must not wait. Where nothing was matched for
+/// as long as is averaged it counts at once as well, unless a surface that has been still for so
+/// long lies within `jump` of it `nearby`: a patch that gains structure, as at the edge of a
+/// shadow, is matched badly at first.
 /// In space: the mean of the neighbours whose disparity is within `alike` pixels of the centre's,
-/// so that edges stay; done twice.
+/// so that edges stay; done twice. A pixel that is like hardly any of them, though within `jump` of
+/// many, is noise of their surface and loses its disparity.
 /// Used by one thread.
 class DisparitySmoother {
  public:
   static constexpr float jump = 3.0F;
   static constexpr float clearlyNearer = 8.0F;
   static constexpr int settled = 5;
+  static constexpr int nearby = 30;  ///< pixels, across and down
   static constexpr float alike = 1.0F;
 
   /// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `frames`: the newest weighs

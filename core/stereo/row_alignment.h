@@ -20,16 +20,19 @@ struct RowMatch {
 std::vector<RowMatch> matchRows(const cv::Mat& left, const cv::Mat& right,
                                 const cv::Mat& disparity);
 
-/// How far the rows of a rectified pair differ, and the small turn of the right camera that takes
-/// most of it away: about its x axis (the rows shift) and its z axis (they tilt). A turn about y is
-/// left alone: the rows hardly show it, and depth depends on it.
+/// How far the rows of a rectified pair differ, and what takes most of it away: a small turn of the
+/// right camera about its x axis (the rows shift) and its z axis (they tilt), and its focal length
+/// (they spread), as far from the calibration's as is likely. A turn about y is left alone: the
+/// rows hardly show it, and depth depends on it.
 struct RowFit {
   double residue = 0.0;                   ///< median of |right.y - left.y|, pixels
-  double remaining = 0.0;                 ///< what is left of it after the turn
+  double remaining = 0.0;                 ///< what is left of it then
   cv::Matx33d turn = cv::Matx33d::eye();  ///< right rectified ray -> where it should be
+  double focal = 1.0;  ///< how much longer the right focal length is than by the calibration
 
-  /// Whether the turn is one to believe: it takes away more than features are uncertain by, and it
-  /// is no more than a degree, beyond which something else is wrong than a camera that has moved.
+  /// Whether this is to be believed: it takes away more than features are uncertain by, and the
+  /// turn is no more than a degree, beyond which something else is wrong than a camera that has
+  /// moved.
   bool worthwhile() const;
 };
 

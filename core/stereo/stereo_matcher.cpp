@@ -185,6 +185,7 @@ struct StereoStage::Maps {
   cv::Matx33d rightRotation = cv::Matx33d::eye();  // of the rectification
   cv::Matx33d rightCamera;                         // rectified
   cv::Matx33d turn = cv::Matx33d::eye();           // of the right camera, on top of it
+  double focal = 1.0;                              // of the right camera, times what it should be
 
   Maps(const StereoRig& from, cv::Size imageSize) : rig(from), size(imageSize) {
     // The caller may go on to write into its matrices.
@@ -210,22 +211,27 @@ struct StereoStage::Maps {
     return size == imageSize && same(rig, other);
   }
 
-  // Turns the right camera, and says whether that changed anything.
-  bool turnRight(const cv::Matx33d& by) {
-    if (turn == by) return false;
-    turn = by;
+  // Turns the right camera, puts its focal length right, and says whether that changed anything.
+  bool correctRight(const RowFit& fit) {
+    if (turn == fit.turn && focal == fit.focal) return false;
+    turn = fit.turn;
+    focal = fit.focal;
     mapRight();
     return true;
   }
 
  private:
   void mapRight() {
-    if (rig.rectified && turn == cv::Matx33d::eye()) {  // remapping would only blur it
+    if (rig.rectified && turn == cv::Matx33d::eye() &&
+        focal == 1.0) {  // remapping would only blur it
       rightXy = rightWeights = cv::Mat();
       return;
     }
-    cv::initUndistortRectifyMap(rig.rightMatrix, rig.rightDistortion, turn * rightRotation,
-                                rightCamera, size, CV_16SC2, rightXy, rightWeights);
+    cv::Matx33d camera = rightCamera;
+    camera(0, 0) /= focal;
+    camera(1, 1) /= focal;
+    cv::initUndistortRectifyMap(rig.rightMatrix, rig.rightDistortion, turn * rightRotation, camera,
+                                size, CV_16SC2, rightXy, rightWeights);
   }
 
   void rectify() {
@@ -267,7 +273,7 @@ RectifiedPair StereoStage::rectify(const cv::Mat& left, const cv::Mat& right, co
   }
   const auto& fit = m_rows.fit();
   m_refined = parameters.refine && fit && fit->worthwhile();
-  if (m_maps->turnRight(m_refined ? fit->turn : cv::Matx33d::eye())) m_smoother.reset();
+  if (m_maps->correctRight(m_refined ? *fit : RowFit{})) m_smoother.reset();
   return {remapped(left, m_maps->leftXy, m_maps->leftWeights),
           remapped(grey(right), m_maps->rightXy, m_maps->rightWeights)};
 }

@@ -27,7 +27,7 @@ struct StereoResult {
   /// How far the rows of left and right differ by the calibration, pixels, by features of the first
   /// frames; absent until those are seen, and where they show too little. See mostRowResidue.
   std::optional<double> rowResidue;
-  /// What is left of it, where the right camera is turned to put it right.
+  /// What is left of it, where the right camera is corrected.
   std::optional<double> rowsCorrected;
 };
 
@@ -35,9 +35,9 @@ struct StereoResult {
 /// (method.md section 2, Eq. 5).
 ///
 /// Keeps the rectification maps between frames; they are made anew when the rig changes. The first
-/// frames of a rig show how far its rows differ; with `refine` the right camera is turned from then
-/// on so that they do not (see RowFit). With `average` above 1 it also keeps the mean disparities
-/// of the last frames. Used by one thread.
+/// frames of a rig show how far its rows differ; with `refine` the right camera is corrected from
+/// then on so that they do not (see RowFit). With `average` above 1 it also keeps the mean
+/// disparities of the last frames. Used by one thread.
 class StereoStage {
  public:
   StereoStage();

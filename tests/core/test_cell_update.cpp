@@ -116,6 +116,33 @@ class TestCellUpdate : public QObject {
     }
   }
 
+  /// Frames of `sight` until the surface of cell (3, 3), long seen at level `from`, is at `to`.
+  static int framesUntilLevel(int from, int to, const std::vector<Points>& sights) {
+    const ModelParameters parameters = with(ModelUpdate::Hysteresis);
+    EnvironmentModel model(grid);
+    for (int frame = 0; frame < 300; ++frame) model.update(Points{at(from)}, parameters);
+    for (int frame = 1; frame <= 100; ++frame) {
+      model.update(sights[static_cast<std::size_t>(frame - 1) % sights.size()], parameters);
+      if (std::abs(model.levels()[grid.index(3, 3)] - to) <= 1) return frame;
+    }
+    return -1;
+  }
+  static Eigen::Vector3f at(int level) { return grid.surfacePoint(3, 3, level).cast<float>(); }
+
+  void hysteresisInDepth() {
+    // Before a surface a thing must be seen as often as before nothing; behind it, 6 misses let go.
+    QCOMPARE(framesUntilLevel(200, 100, {{at(100)}}), 4);
+    QCOMPARE(framesUntilLevel(100, 200, {{at(200)}}), 6);
+    // A leaf that falls past in three frames, again and again: never.
+    const Points ground{at(200)}, leaf{at(100)};
+    QCOMPARE(framesUntilLevel(200, 100, {leaf, leaf, leaf, ground, ground, ground, ground}), -1);
+    // A thin thing that is missed in one frame of five enters, and stays.
+    QVERIFY(framesUntilLevel(200, 100, {leaf, leaf, leaf, ground, leaf}) > 0);
+    QCOMPARE(framesUntilLevel(100, 200, {leaf, leaf, leaf, leaf, ground}), -1);
+    // Noise does not count as another surface, and what comes nearer step by step is followed.
+    QCOMPARE(framesUntilLevel(200, 193, {{at(193)}}), 1);
+  }
+
   void logOddsEnterAndLeaveAsTheirClampsSay() {
     for (const double limit : {0.3, 0.5, 0.8}) {
       ModelParameters parameters = with(ModelUpdate::LogOdds);

@@ -35,9 +35,12 @@ class TestDisparitySmoother : public QObject {
   void whatIsClearlyNearerIsSeenAtOnce();
   void missedFrameBeginsAnew();
   void neighboursTakeOutNoiseButKeepEdges();
+  void whatIsLikeNothingAroundItIsNoise();
   void unmeasuredStaysUnmeasured();
   void newSizeForgets();
   void whatWasNotMatchedForLongIsSeenAtOnce();
+  void besideAStillSurfaceSmallStepsWait();
+  void whatMovesOverTheUnmatchedIsSeenAtOnce();
 };
 
 void TestDisparitySmoother::offChangesNothing() {
@@ -100,6 +103,25 @@ void TestDisparitySmoother::neighboursTakeOutNoiseButKeepEdges() {
   }
 }
 
+void TestDisparitySmoother::whatIsLikeNothingAroundItIsNoise() {
+  cv::Mat disparity(100, 100, CV_32FC1, cv::Scalar(25.0F));
+  disparity(cv::Rect(20, 30, 4, 3)) = 26.5F;
+  disparity(cv::Rect(60, 60, 15, 15)) = 26.5F;  // as large as a block that is matched
+  const cv::Mat smoothed = DisparitySmoother::overSpace(disparity, 31);
+  QVERIFY(std::isnan(smoothed.at<float>(31, 22)));
+  QCOMPARE(smoothed.at<float>(31, 30), 25.0F);
+  QCOMPARE(smoothed.at<float>(67, 67), 26.5F);
+  QCOMPARE(smoothed.at<float>(61, 61), 26.5F);
+  // A small thing that stands out by more than noise stays, and so does a steep slope.
+  disparity(cv::Rect(20, 30, 4, 3)) = 28.5F;
+  QCOMPARE(DisparitySmoother::overSpace(disparity, 31).at<float>(31, 22), 28.5F);
+  for (int column = 0; column < disparity.cols; ++column) {
+    disparity.col(column) = 20.0F + 0.9F * static_cast<float>(column);
+  }
+  const cv::Mat slope = DisparitySmoother::overSpace(disparity, 31);
+  QCOMPARE(cv::countNonZero(slope == slope), 100 * 100);
+}
+
 void TestDisparitySmoother::unmeasuredStaysUnmeasured() {
   cv::Mat disparity = constant(10.0F);
   disparity.at<float>(7, 9) = none;
@@ -120,6 +142,42 @@ void TestDisparitySmoother::whatWasNotMatchedForLongIsSeenAtOnce() {
   QCOMPARE(smoother.overTime(constant(25.0F), 20).at<float>(5, 5), 25.0F);
   for (int frame = 0; frame < 21; ++frame) smoother.overTime(constant(none), 20);
   QCOMPARE(smoother.overTime(constant(20.0F), 20).at<float>(5, 5), 20.0F);
+}
+
+void TestDisparitySmoother::besideAStillSurfaceSmallStepsWait() {
+  cv::Mat half(60, 200, CV_32FC1, cv::Scalar(none));
+  half.colRange(0, 50) = 25.0F;
+  DisparitySmoother smoother;
+  for (int frame = 0; frame < 50; ++frame) smoother.overTime(half, 20);
+  const auto with = [&half](float disparity) {
+    cv::Mat frame = half.clone();
+    frame.colRange(50, 60) = disparity;
+    frame.colRange(150, 160) = disparity;
+    return frame;
+  };
+  for (int frame = 1; frame < DisparitySmoother::settled; ++frame) {
+    const cv::Mat seen = smoother.overTime(with(27.5F), 20);
+    QVERIFY(std::isnan(seen.at<float>(30, 55)));
+    // Nothing is known there that it could be noise of.
+    QCOMPARE(seen.at<float>(30, 155), 27.5F);
+  }
+  QCOMPARE(smoother.overTime(with(27.5F), 20).at<float>(30, 55), 27.5F);
+  smoother.reset();
+  for (int frame = 0; frame < 50; ++frame) smoother.overTime(half, 20);
+  // A step that is more than noise does not wait.
+  QCOMPARE(smoother.overTime(with(28.5F), 20).at<float>(30, 55), 28.5F);
+}
+
+void TestDisparitySmoother::whatMovesOverTheUnmatchedIsSeenAtOnce() {
+  DisparitySmoother smoother;
+  for (int frame = 0; frame < 50; ++frame) {
+    smoother.overTime(cv::Mat(60, 300, CV_32FC1, cv::Scalar(none)), 20);
+  }
+  for (int left = 0; left < 200; left += 8) {
+    cv::Mat moved(60, 300, CV_32FC1, cv::Scalar(none));
+    moved.colRange(left, left + 40) = 40.0F;
+    QCOMPARE(smoother.overTime(moved, 20).at<float>(30, left + 39), 40.0F);
+  }
 }
 
 QTEST_GUILESS_MAIN(TestDisparitySmoother)

@@ -214,6 +214,22 @@ class TestEnvironmentModel : public QObject {
     QVERIFY(model.levels().empty());
   }
 
+  void whatIsMaskedHidesWhatIsBehindItOnly() {
+    const ModelParameters parameters;
+    const GridGeometry geometry(smallBounds, 0.05);
+    const int near = 60, middle = 120, far = 240;  // levels of 1 cm
+    const auto statesAfter = [&](int masked) {
+      EnvironmentModel model(geometry);
+      for (int n = 0; n < 6; ++n) model.update(Points{inCell(model, 1, 1, middle)}, parameters);
+      for (int n = 0; n < 3; ++n) model.update({}, parameters, Points{inCell(model, 1, 1, masked)});
+      return model.state(1, 1);
+    };
+    QCOMPARE(statesAfter(near), CellState::Occupied);
+    QCOMPARE(statesAfter(middle), CellState::Occupied);
+    QCOMPARE(statesAfter(middle + 10), CellState::Occupied);  // the load has entered it
+    QCOMPARE(statesAfter(far), CellState::ObservedFree);
+  }
+
   void copiesAreIndependent() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
     const EnvironmentModel copy = model;

@@ -93,9 +93,10 @@ bool equal(const cv::Mat& a, const cv::Mat& b) {
 }
 
 /// Matches all over the picture that a turn of the right camera puts on other rows.
-std::vector<RowMatch> matchesWith(const cv::Matx33d& turn, int count, double strays) {
+std::vector<RowMatch> matchesWith(const cv::Matx33d& turn, int count, double strays,
+                                  double rowsFrom = 10, double rowsTo = 470) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> u(60, 620), v(10, 470), any(-8, 8), share(0, 1);
+  std::uniform_real_distribution<double> u(60, 620), v(rowsFrom, rowsTo), any(-8, 8), share(0, 1);
   std::vector<RowMatch> matches;
   for (int k = 0; k < count; ++k) {
     const cv::Point2d left(u(random), v(random));
@@ -139,6 +140,14 @@ class TestRowAlignment : public QObject {
     cv::Vec3d found;
     cv::Rodrigues(fit->turn, found);
     QVERIFY(cv::norm(found) < 0.02 * degree);
+  }
+
+  void aLongerFocalLengthIsFoundWhereTheRowsShowIt() {
+    const cv::Matx33d longer = cv::Matx33d::diag({1.001, 1.001, 1.0}) * turned(0.08, 0.15);
+    QVERIFY(std::abs(fitRows(matchesWith(longer, 400, 0.25), camera)->focal - 1.001) < 2e-4);
+    // A narrow band of rows does not.
+    const auto narrow = fitRows(matchesWith(longer, 400, 0.0, 225, 255), camera);
+    QVERIFY(narrow->worthwhile() && std::abs(narrow->focal - 1.0) < 2e-4);
   }
 
   void aMisalignedPairIsSaidAndPutRight_data() { eachRig(); }
