@@ -262,8 +262,7 @@ std::optional<Chapter> runPassingExperiment(const ExperimentSetup& setup,
        "is: at 1.1 m/s and 20 frames a second somebody 0.5 m wide covers a cell for nine frames, "
        "and is in the model but for their leading edge. And where something is behind (a wall, the "
        "ground), the thesis's cell is occupied already, and by Eq. 9 takes over the nearer depth "
-       "at "
-       "once, however fast it moves. The other two updates let it wait as long as anything else.",
+       "at once, however fast it moves. The hysteresis lets it wait.",
        std::move(walked), std::move(picture), std::move(held), std::move(figure), std::move(head)}};
 }
 
