@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double depthNoise = 0.2;  // pixels of disparity, as demo:yard,as=depth has by default
 constexpr double seenShare = 0.25;  // of the tool: the least that a tracker could follow
-constexpr double firstShare = 0.6;  // of the tool, when it is shown to the tracker
 
 PinholeCamera cameraOf(const Frame& frame) {
   return {frame.left.cols, frame.left.rows, frame.rig->leftMatrix(0, 0)};
@@ -138,15 +137,12 @@ FramePtr ChainStage::sensed(const FramePtr& frame) const {
   return made;
 }
 
+/// Everything is left to the chain itself: it begins with the box that the source offers.
 void ChainStage::showTool(const Frame& frame) {
-  if (m_kind != ChainKind::Everything) {
-    m_tool.set(toolBoxIn(frame, seenShare));
-    if (!m_begun) m_pipeline.order(TrueTool::order());
-    m_begun = true;
-  } else if (const auto box = toolBoxIn(frame, firstShare); box && !m_begun) {
-    m_pipeline.order(TrackBox{*box});
-    m_begun = true;
-  }
+  if (m_kind == ChainKind::Everything) return;
+  m_tool.set(toolBoxIn(frame, seenShare));
+  if (!m_begun) m_pipeline.order(TrueTool::order());
+  m_begun = true;
 }
 
 MaskedChain::Outcome ChainStage::look(const FramePtr& frame) {

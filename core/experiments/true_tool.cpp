@@ -30,11 +30,10 @@ TrackerMaker TrueTool::maker() const {
 }
 
 std::optional<cv::Rect2d> toolBoxIn(const Frame& frame, double share) {
-  const YardTruth& truth = *frame.truth->yard;
-  const cv::Rect inside = truth.toolBox & cv::Rect({0, 0}, frame.left.size());
+  if (!frame.tool || frame.truth->yard->toolVisible < share) return std::nullopt;
+  const cv::Rect2d inside = *frame.tool & cv::Rect2d({}, cv::Size2d(frame.left.size()));
   const bool large = std::min(inside.width, inside.height) >= Tracker::smallestSide;
-  if (!large || truth.toolVisible < share) return std::nullopt;
-  return cv::Rect2d(inside);
+  return large ? std::optional(inside) : std::nullopt;
 }
 
 }  // namespace boomwatch

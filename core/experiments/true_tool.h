@@ -25,8 +25,8 @@ class TrueTool {
   std::shared_ptr<std::optional<cv::Rect2d>> m_box;
 };
 
-/// The part of the tool's box inside the picture, of a frame of demo:yard, where at least `share`
-/// of the tool is seen and the box is large enough to be followed.
+/// The part of the tool's box (Frame::tool) inside the picture, of a frame of demo:yard, where at
+/// least `share` of the tool is seen and the box is large enough to be followed.
 std::optional<cv::Rect2d> toolBoxIn(const Frame& frame, double share);
 
 }  // namespace boomwatch

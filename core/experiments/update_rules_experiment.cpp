@@ -116,9 +116,11 @@ std::optional<Chapter> runUpdateRulesExperiment(const ExperimentSetup& setup,
            "*Flicker*: of cells in which the exact depth shows something that has its place in "
            "every frame, and nothing else. A *visit*: something that moves is in a cell, nearer "
            "or farther than what has its place there; long ones last for four frames or more. "
-           "*Shown*: the cell has its depth; cells that were occupied before take it over at once "
-           "(Eq. 9), so that also visits shorter than four frames are shown, and the share can be "
-           "above 100. *False*: occupied cells a frame in whose neighbourhood something is seen, "
+           "*Shown*: the cell has its depth. By the thesis's update cells that were occupied "
+           "before "
+           "take it over at once (Eq. 9), so that shorter visits are shown too, and the share can "
+           "be above 100. *False*: occupied cells a frame in whose neighbourhood something is "
+           "seen, "
            "but nothing at that depth: noise, and what is no longer there.",
        std::move(table)}};
 }
