@@ -139,14 +139,15 @@ void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameter
 }
 
 OrientedBox LoadFollower::boxAt(double passed, const std::optional<Eigen::Vector3f>& tool) const {
-  constexpr double soon = 0.12;  // seconds for which it surely moves on; then the tool says more
+  // Seconds for which it surely moves on; then the tool says more, and nothing how it turns.
+  constexpr double soon = 0.12, turning = 0.25;
   OrientedBox box = m_pose->box;
   if (passed > soon && tool && m_pose->tool) {
     box.centre += (*tool - *m_pose->tool).cast<double>();
   } else {
     box.centre += m_pose->velocity * passed;
   }
-  box.rotation = turned(box.rotation, m_pose->spin * passed);
+  box.rotation = turned(box.rotation, m_pose->spin * std::min(passed, turning));
   box.size = m_size;
   return box;
 }
