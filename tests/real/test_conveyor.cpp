@@ -136,13 +136,26 @@ Parameters beltParameters() {
 class TestConveyor : public QObject {
   Q_OBJECT
  private slots:
+  void boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway_data();
   void boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway();
 };
 
+void TestConveyor::boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway_data() {
+  QTest::addColumn<ModelUpdate>("update");
+  QTest::addColumn<double>("most");
+  // On the plain belt false matches at the box's height come and go. By Eq. 8-9 one miss takes such
+  // a cell away; with a threshold of its own for leaving, one hit in some frames keeps it.
+  QTest::newRow("thesis") << ModelUpdate::Thesis << 0.1;
+  QTest::newRow("hysteresis") << ModelUpdate::Hysteresis << 0.2;
+}
+
 void TestConveyor::boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway() {
+  QFETCH(ModelUpdate, update);
+  QFETCH(double, most);
   const QString recording = sharedData("stereo_static_conveyor_dtu");
   REQUIRE_DATA(recording);
-  const Parameters parameters = beltParameters();
+  Parameters parameters = beltParameters();
+  parameters.model.update = update;
   BoxWatch watch;
   double left = 1.0;
   const std::size_t frames = runSequence("stereo:" + recording, parameters,
@@ -168,7 +181,7 @@ void TestConveyor::boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway() {
       "of its cells or more; %.0f %% of %zu cells are left at the end",
       *watch.lies(), n, 100 * worst, 100 * left, watch.lastBox().size());
   QVERIFY(worst >= 0.8);
-  QVERIFY(left <= 0.1);
+  QVERIFY(left <= most);
 }
 
 QTEST_GUILESS_MAIN(TestConveyor)
