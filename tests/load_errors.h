@@ -27,6 +27,7 @@ struct Errors {
   std::vector<double> length;
   std::map<std::string, int> refused;
   int poses = 0;
+  int badly = 0;  ///< found where it is not: by more than 15 degrees or 0.3 m
 
   std::size_t found() const { return axis.size(); }
   void add(const OrientedBox& box, const Cylinder& log) {
@@ -35,6 +36,7 @@ struct Errors {
     centre.push_back((box.centre - log.centre).norm());
     radius.push_back(std::abs(box.size.y() / 2.0 / log.radius - 1.0));
     length.push_back(std::abs(box.size.x() / log.length - 1.0));
+    badly += axis.back() > 15.0 || centre.back() > 0.3 ? 1 : 0;
   }
   QString text() const {
     const auto pair = [](const std::vector<double>& values, double unit) {
@@ -43,11 +45,12 @@ struct Errors {
           .arg(unit * quantile(values, 0.9), 0, 'f', 2);
     };
     QString text = QStringLiteral(
-                       "%1 of %2 found; medians: axis %3 deg, centre %4 cm, radius %5 %, "
-                       "length %6 %; refused:")
+                       "%1 of %2 found, %7 badly; medians: axis %3 deg, centre %4 cm, "
+                       "radius %5 %, length %6 %; refused:")
                        .arg(found())
                        .arg(poses)
-                       .arg(pair(axis, 1), pair(centre, 100), pair(radius, 100), pair(length, 100));
+                       .arg(pair(axis, 1), pair(centre, 100), pair(radius, 100), pair(length, 100))
+                       .arg(badly);
     for (const auto& [fault, count] : refused) {
       text += QStringLiteral(" %1 %2").arg(QString::fromStdString(fault)).arg(count);
     }

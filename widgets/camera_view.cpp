@@ -109,7 +109,9 @@ void CameraView::drawWatched(QPainter& painter) const {
 
 void CameraView::drawBox(QPainter& painter, const OrientedBox& box) const {
   const auto corners = box.corners();
-  const auto& project = *m_display->projection;
+  const auto project = [this](const Eigen::Vector3d& p) {
+    return pixelOf(*m_display->projection, p);
+  };
   QList<QLineF> edges;
   for (unsigned k = 0; k < 8; ++k) {
     for (const unsigned axis : {1U, 2U, 4U}) {
@@ -126,7 +128,9 @@ void CameraView::drawNearest(QPainter& painter) const {
   if (!nearest || !m_display->projection) return;
   const auto line = clipped(nearest->onLoad, nearest->onEnvironment);
   if (!line) return;
-  const auto& project = *m_display->projection;
+  const auto project = [this](const Eigen::Vector3d& p) {
+    return pixelOf(*m_display->projection, p);
+  };
   drawNearestPair(painter, toWidget(project(line->first)), toWidget(project(line->second)),
                   themeFor(palette()));
 }

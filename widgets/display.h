@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "frame/pinhole_fit.h"
 #include "pipeline/result.h"
 
 namespace boomwatch {
@@ -22,19 +23,6 @@ enum class MapColouring { Grey, Uniform };
 struct DisplayOptions {
   CloudColouring cloud = CloudColouring::Depth;
   MapColouring maps = MapColouring::Grey;
-};
-
-/// Where a point of the camera frame (metres) falls in the left image (pixels): u = fx x/z + cx.
-struct PinholeProjection {
-  double fx = 0.0;
-  double fy = 0.0;
-  double cx = 0.0;
-  double cy = 0.0;
-
-  /// For z > 0 only.
-  QPointF operator()(const Eigen::Vector3d& p) const {
-    return {fx * p.x() / p.z() + cx, fy * p.y() / p.z() + cy};
-  }
 };
 
 /// The measured points inside the bounds, without gaps: what the cloud view draws. They lie in
@@ -65,12 +53,14 @@ struct Display {
 
 using DisplayPtr = std::shared_ptr<const Display>;
 
+/// Where a point of the camera frame (z > 0, metres) falls in the left image.
+inline QPointF pixelOf(const PinholeProjection& projection, const Eigen::Vector3d& p) {
+  const Eigen::Vector2d pixel = projection(p);
+  return {pixel.x(), pixel.y()};
+}
+
 /// Pure; any thread. Never null; `result` may be.
 DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options);
-
-/// The pinhole that maps the measured points of an organised cloud onto their pixels, by least
-/// squares over a sample; absent when there are too few or they do not fit to two pixels.
-std::optional<PinholeProjection> fitPinhole(const Cloud& cloud);
 
 /// 256 colours, brighter with the index: 255 is the nearest or the most probable.
 std::array<DrawnCloud::Rgba, 256> colourTable(MapColouring colouring);

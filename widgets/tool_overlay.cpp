@@ -61,7 +61,7 @@ void drawUnseen(QPainter& painter, const Display& display, const ToWidget& toWid
   const QRectF corner(painter.clipBoundingRect().topLeft() + QPointF(6, 6), QSizeF(0, 0));
   drawLabel(painter, corner, toolSentence(tool, display.result->parameters.tracking), theme);
   if (!tool.point || !display.projection || tool.point->z() < nearPlane) return;
-  const QPointF at = toWidget((*display.projection)(tool.point->cast<double>()));
+  const QPointF at = toWidget(pixelOf(*display.projection, tool.point->cast<double>()));
   painter.setBrush(Qt::NoBrush);
   for (const bool under : {true, false}) {
     painter.setPen(under ? QPen(theme.outline, 4.0) : penOf(theme.tool, Line::Broken));

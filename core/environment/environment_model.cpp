@@ -14,9 +14,9 @@ EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
 
 void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
                               const ModelParameters& parameters,
-                              std::span<const Eigen::Vector3f> masked) {
+                              std::span<const Eigen::Vector3f> masked, const DepthView* view) {
   // Two bands of rows that share nothing, so that the result does not depend on timing.
-  const Evidence evidence{points, masked};
+  const Evidence evidence{points, masked, view};
   const int middle = m_geometry.rows() / 2;
   auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, evidence, parameters); });
   updateRows(middle, m_geometry.rows(), evidence, parameters);
@@ -27,7 +27,7 @@ void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
 void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
                                   const ModelParameters& parameters) {
   projectRows(begin, end, evidence.points);
-  const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence.masked);
+  const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence);
   const std::size_t first = m_geometry.index(0, begin);
   const std::size_t count = m_geometry.index(0, end) - first;
   updateCells(std::span(m_probabilities).subspan(first, count),
@@ -40,21 +40,31 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
 }
 
 std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
-    int begin, int end, std::span<const Eigen::Vector3f> masked) const {
-  // A load that enters an obstacle is seen a little behind its surface, with the noise of depth.
-  constexpr double room = 0.25;  // metres
+    int begin, int end, const Evidence& evidence) const {
   std::vector<HiddenCell> hidden;
-  for (const Eigen::Vector3f& point : masked) {
+  for (const Eigen::Vector3f& point : evidence.masked) {
     const double toPlane = m_geometry.toPlane(point.z());
     const double row = m_geometry.rowPosition(point.y() * toPlane);
     const double column = m_geometry.columnPosition(point.x() * toPlane);
     if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
-    const std::size_t k = m_geometry.index(static_cast<int>(column), static_cast<int>(row));
-    // Farther away than the cell's surface it does not hide it: it is seen where that should be.
-    const bool behind = m_levels[k] > 0 && point.z() > m_geometry.zOf(m_levels[k]) + room;
-    if (m_nearness[k] == 0 && !behind) hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    const auto i = static_cast<int>(column), j = static_cast<int>(row);
+    const std::size_t k = m_geometry.index(i, j);
+    if (m_nearness[k] == 0 && isHidden(i, j, point.z(), evidence.view)) {
+      hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    }
   }
   return hidden;
+}
+
+/// By something that was taken out of the same cell at depth z.
+bool EnvironmentModel::isHidden(int column, int row, double z, const DepthView* view) const {
+  // A load that enters an obstacle is seen a little behind its surface, with the noise of depth.
+  constexpr double room = 0.25;  // metres
+  const int level = m_levels[m_geometry.index(column, row)];
+  if (level == 0) return true;
+  const Eigen::Vector3d surface = m_geometry.surfacePoint(column, row, level);
+  if (z > surface.z() + room) return false;
+  return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), room);
 }
 
 void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Vector3f> points) {

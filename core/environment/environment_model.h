@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "environment/cell_update.h"
+#include "environment/depth_view.h"
 #include "environment/grid.h"
 #include "frame/cloud.h"
 #include "pipeline/parameters.h"
@@ -35,9 +36,10 @@ class EnvironmentModel {
   /// `masked` are points that were taken out as boom, tool or load. A cell that holds one and no
   /// other measurement was hidden in this frame, which is neither of Eq. 8's cases: it stays as it
   /// is, so that an obstacle is not forgotten in the moment in which the load enters it. One that
-  /// lies behind the cell's surface hides nothing: that has gone.
+  /// lies behind the cell's surface hides nothing: that has gone. So has, with a `view`, a surface
+  /// that the camera looks through.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
-              std::span<const Eigen::Vector3f> masked = {});
+              std::span<const Eigen::Vector3f> masked = {}, const DepthView* view = nullptr);
 
   const GridGeometry& geometry() const { return m_geometry; }
   std::span<const float> probabilities() const { return m_probabilities; }
@@ -57,6 +59,7 @@ class EnvironmentModel {
   struct Evidence {
     std::span<const Eigen::Vector3f> points;
     std::span<const Eigen::Vector3f> masked;
+    const DepthView* view;
   };
   struct HiddenCell {
     std::size_t index;
@@ -65,8 +68,8 @@ class EnvironmentModel {
   };
   void updateRows(int begin, int end, const Evidence& evidence, const ModelParameters& parameters);
   void projectRows(int begin, int end, std::span<const Eigen::Vector3f> points);
-  std::vector<HiddenCell> hiddenCells(int begin, int end,
-                                      std::span<const Eigen::Vector3f> masked) const;
+  std::vector<HiddenCell> hiddenCells(int begin, int end, const Evidence& evidence) const;
+  bool isHidden(int column, int row, double z, const DepthView* view) const;
 
   GridGeometry m_geometry;
   std::vector<float> m_probabilities;

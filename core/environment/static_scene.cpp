@@ -30,17 +30,38 @@ void crop(const Cloud& cloud, const Bounds& bounds, ModelProjection projection, 
   }
 }
 
+/// Where a piece of the tool may be that does not hang together with its cluster, as a grapple's
+/// jaw does not that is seen behind the load: in the tool's own size, or as far away as its
+/// diameter where that is close to the load. Nothing is so near to the load and not yet touched,
+/// but what hangs together with larger things.
+struct HangsAtTool {
+  Vector3f tool;
+  double size;  ///< diameter of the tool
+  std::optional<OrientedBox> load;
+
+  bool operator()(const Vector3f& p) const {
+    constexpr double closeToLoad = 0.3;
+    const double away = (p - tool).cast<double>().norm();
+    if (away <= size / 2) return true;
+    const Eigen::Vector3d point = p.cast<double>();
+    return away <= size && load && (load->nearestTo(point) - point).norm() <= closeToLoad;
+  }
+};
+
 /// One cluster, as far as it matters for finding the tool.
 struct ClusterShape {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3f box;
   float toTool2 = std::numeric_limits<float>::infinity();  ///< nearest point to the tool, squared
+  bool hangsAtTool = true;                                 ///< every point; see HangsAtTool
   int points = 0;
 
-  void add(const Vector3f& p, const Vector3f& tool) {
+  void add(const Vector3f& p, const Vector3f& tool, const HangsAtTool& hangs) {
     sum += p.cast<double>();
     box.extend(p);
-    toTool2 = std::min(toTool2, (p - tool).squaredNorm());
+    const float squared = (p - tool).squaredNorm();
+    toTool2 = std::min(toTool2, squared);
+    hangsAtTool = hangsAtTool && hangs(p);
     ++points;
   }
   double centreTo(const Vector3f& tool) const {
@@ -66,30 +87,37 @@ bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const B
          (2 * sizes.x() > bounds.xMax - bounds.xMin && 2 * sizes.y() > bounds.yMax - bounds.yMin);
 }
 
-/// Finds the tool's box among the clusters of `points`, whose labels fit them. Returns its cluster.
-std::optional<std::size_t> maskTool(StaticScene& scene, const Points& points,
-                                    const Clusters& clusters, const Vector3f& tool,
-                                    const Parameters& parameters) {
+/// Finds the tool's box among the clusters of `points`, whose labels fit them. Returns which of
+/// them are the tool: its cluster, and what hangs within its size in pieces of its own, as a
+/// grapple's jaw does that is seen behind the load.
+std::vector<bool> maskTool(StaticScene& scene, const Points& points, const Clusters& clusters,
+                           const Vector3f& tool, const std::optional<OrientedBox>& load,
+                           const Parameters& parameters) {
+  const HangsAtTool hangs{tool, parameters.load.toolSize, load};
   std::vector<ClusterShape> shapes(clusters.sizes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
     if (clusters.sizes[label] >= parameters.filter.clusterMinimum)
-      shapes[label].add(points[i], tool);
+      shapes[label].add(points[i], tool, hangs);
   }
   // The tool point is a pixel's; downsampling moved the points around it by up to about R.
   const double reach = parameters.filter.clusterTolerance + parameters.model.resolution;
   const ClusterShape* const found = nearestAtTool(shapes, tool, reach);
+  std::vector<bool> isTool(shapes.size());
   if (found == nullptr) {
     scene.toolMask = ToolMask::NothingThere;
-    return std::nullopt;
+    return isTool;
   }
   if (swallowsScene(found->box, points, parameters.bounds)) {
     scene.toolMask = ToolMask::TooLarge;
-    return std::nullopt;
+    return isTool;
   }
   scene.toolMask = ToolMask::Taken;
   scene.toolBox = {found->box.min().cast<double>(), found->box.max().cast<double>()};
-  return static_cast<std::size_t>(found - shapes.data());
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    isTool[k] = &shapes[k] == found || (shapes[k].points > 0 && shapes[k].hangsAtTool);
+  }
+  return isTool;
 }
 
 }  // namespace
@@ -127,18 +155,18 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
 
   const double tolerance = std::max(filter.clusterTolerance, 2.0 * parameters.model.resolution);
   const Clusters clusters = euclideanClusters(points, static_cast<float>(tolerance));
-  std::optional<std::size_t> toolCluster;
-  if (tool) toolCluster = maskTool(scene, points, clusters, reprojected(*tool), parameters);
+  std::vector<bool> isTool(clusters.sizes.size());
+  if (tool) isTool = maskTool(scene, points, clusters, reprojected(*tool), load, parameters);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
     if (clusters.sizes[label] < filter.clusterMinimum) {
       scene.noise.push_back(points[i]);
       continue;
     }
-    if (toolCluster == label) scene.toolCluster.push_back(points[i]);
+    if (isTool[label]) scene.toolCluster.push_back(points[i]);
     const Eigen::Vector3d p = points[i].cast<double>();
-    const bool dynamic =
-        (scene.toolBox && scene.toolBox->contains(p)) || (load && load->contains(p));
+    const bool dynamic = isTool[label] || (scene.toolBox && scene.toolBox->contains(p)) ||
+                         (load && load->contains(p));
     (dynamic ? scene.removed : scene.statics).push_back(points[i]);
   }
   return scene;

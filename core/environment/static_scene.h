@@ -45,8 +45,10 @@ struct StaticScene {
 ///
 /// The tool's cluster is the one whose centre (mean of its points) is nearest to `tool`, among
 /// those that have a point at the tool: a long boom's centre is far from its end, and a stone's may
-/// be nearer. See ToolMask for when none is taken. Without a load nothing is taken for it. With
-/// z-reprojection the tool point moves as the points do; the load's box stays where it is.
+/// be nearer. Clusters go with it that lie wholly within half of
+/// load_tool_size of the tool point, or within all of it and close to the load. See
+/// ToolMask for when none is taken. Without a load nothing is taken for it. With z-reprojection the
+/// tool point moves as the points do; the load's box stays where it is.
 StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
                            const std::optional<OrientedBox>& load, const Parameters& parameters);
 

@@ -32,7 +32,7 @@ StaticScene withoutCrane(const Frame& frame, const Parameters& parameters) {
 }  // namespace
 
 MaskedChain::Outcome MaskedChain::process(const Frame& frame, const Parameters& parameters) {
-  m_surroundings.learn(withoutCrane(frame, parameters), parameters);
+  m_surroundings.learn(*frame.cloud, withoutCrane(frame, parameters), parameters);
   Outcome outcome;
   outcome.clearance = m_surroundings.around(*frame.load, parameters);
   m_warning = nextWarning(

@@ -70,9 +70,9 @@ class AxisSearch {
   double m_cell;  ///< metres at the tool
   std::vector<Spot> m_spots;
   bool m_swept = false;
-  std::vector<Scored> m_found;                ///< the most likely last
+  std::vector<Scored> m_found;  ///< the most likely last
   std::vector<LoadAxis> m_given;
-  std::vector<std::vector<Member>> m_lanes;   ///< scratch, as the next
+  std::vector<std::vector<Member>> m_lanes;  ///< scratch, as the next
   std::array<std::vector<Member>, 2> m_sides;
   std::minstd_rand m_random{1};
 };

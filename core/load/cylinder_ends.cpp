@@ -161,9 +161,7 @@ class Walk {
   }
 
  private:
-  int slicesOf(double width) const {
-    return static_cast<int>(std::ceil(width / m_cutting.width));
-  }
+  int slicesOf(double width) const { return static_cast<int>(std::ceil(width / m_cutting.width)); }
   const Slices& m_cutting;
   const DepthPatch& m_patch;
   const AlongRange& m_range;
@@ -176,8 +174,9 @@ double offOnFlat(const Slice& slice, const Vector3d& ray, const Vector3d& outwar
   return depth > 0.0 ? std::min(0.0, 1.0 / depth - slice.q) : 0.0;
 }
 
-/// Where the flat end faces the camera it is seen beyond the round surface, and leaves it gradually:
-/// the place for which what is seen on both fits best. `u` is where it was left for certain.
+/// Where the flat end faces the camera it is seen beyond the round surface, and leaves it
+/// gradually: the place for which what is seen on both fits best. `u` is where it was left for
+/// certain.
 double sharpened(const Slices& cutting, const NearLine& line, double u, int step, double noise) {
   constexpr int tried = 40;
   constexpr double farthest = 0.4, facing = -0.1;  // metres; cosine
@@ -231,7 +230,8 @@ CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
   int on = 0, off = 0;
   for (const std::size_t side : {0U, 1U}) {
     const Followed end = walk.follow(static_cast<std::ptrdiff_t>(from), side == 0 ? -1 : 1);
-    ends.u[side] = end.seen ? sharpened(cutting, line, end.u, side == 0 ? -1 : 1, patch.noise) : end.u;
+    ends.u[side] =
+        end.seen ? sharpened(cutting, line, end.u, side == 0 ? -1 : 1, patch.noise) : end.u;
     ends.farthest[side] = end.farthest;
     ends.seen[side] = end.seen;
     ends.shown[side] = end.on * cutting.width;

@@ -20,10 +20,10 @@ double median(std::vector<double>& values) {
 /// One cut across the strip.
 struct Slice {
   double u = 0.0;
-  double q = 0.0;                     ///< median of the inner half
-  std::array<double, 2> v{};          ///< where it ends: lower, upper
-  std::array<bool, 2> free{};         ///< and something farther away is beyond, or nothing
-  std::size_t begin = 0, end = 0;     ///< its samples
+  double q = 0.0;                  ///< median of the inner half
+  std::array<double, 2> v{};       ///< where it ends: lower, upper
+  std::array<bool, 2> free{};      ///< and something farther away is beyond, or nothing
+  std::size_t begin = 0, end = 0;  ///< its samples
 };
 
 /// y = a + b x
@@ -91,9 +91,7 @@ class Cutter {
   const std::vector<Seen>& samples() const { return m_samples; }
 
  private:
-  double middle(std::size_t i) const {
-    return m_begin + (static_cast<double>(i) + 0.5) * m_width;
-  }
+  double middle(std::size_t i) const { return m_begin + (static_cast<double>(i) + 0.5) * m_width; }
 
   /// The samples beside the line, sorted into slices.
   void take() {

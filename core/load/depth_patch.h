@@ -47,9 +47,10 @@ struct DepthPatch {
 };
 
 /// All that lies up to `reach` metres beside the tool, at the tool's depth, in cells of reach / 75;
-/// coarser where the points are sparse, and of a dense cloud only as many as the cells need.
-/// `noise` as in DepthPatch. Empty where nothing was measured there or the tool point is not in
-/// front of the camera. Pure.
-DepthPatch patchAround(const Cloud& cloud, const Eigen::Vector3f& tool, double reach, double noise);
+/// coarser where the points are sparse. Of a dense cloud so many points are left out that a cell
+/// has `samplesPerCell` or up to twice as many. `noise` as in DepthPatch. Empty where nothing was
+/// measured there or the tool point is not in front of the camera. Pure.
+DepthPatch patchAround(const Cloud& cloud, const Eigen::Vector3f& tool, double reach, double noise,
+                       double samplesPerCell);
 
 }  // namespace boomwatch

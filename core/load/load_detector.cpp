@@ -38,7 +38,9 @@ LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double
                          const Bounds& bounds, const LoadParameters& parameters,
                          const std::optional<OrientedBox>& expected) {
   const double reach = reachShare * parameters.maxSize;
-  const DepthPatch patch = patchAround(cloud, tool, reach, depthNoise);
+  // A log is measured by its outline, a box by the cells themselves.
+  const double samplesPerCell = parameters.shape == LoadShape::Cylinder ? 4.0 : 8.0;
+  const DepthPatch patch = patchAround(cloud, tool, reach, depthNoise, samplesPerCell);
   if (patch.empty()) return LoadDetection::refused(LoadFault::NothingAtTool);
   if (expected && isLog(*expected) && parameters.shape != LoadShape::Box) {
     const LoadDetection same = followLog(patch, tool.cast<double>(), parameters, *expected);

@@ -61,53 +61,57 @@ OrientedBox namedAs(const OrientedBox& before, const OrientedBox& seen) {
 }
 
 LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, double stamp,
-                                            const LoadParameters& parameters, double maxAge) {
+                                            const LoadParameters& parameters, double maxAge,
+                                            const std::optional<Eigen::Vector3f>& tool) {
   if (m_pose && (stamp < m_pose->stamp || stamp - m_pose->stamp > maxAge)) reset();
   bool isSeen = detection.box.has_value();
   if (isSeen) {
     const OrientedBox seen = m_pose ? namedAs(m_pose->box, *detection.box) : *detection.box;
     const double passed = m_pose ? stamp - m_pose->stamp : 0.0;
-    const bool elsewhere = m_pose && jumps(seen, passed);
+    const OrientedBox expected = m_pose ? boxAt(passed, tool) : seen;
+    const bool elsewhere = m_pose && jumps(seen, expected, passed);
     m_jumps = elsewhere ? m_jumps + 1 : 0;
     if (!m_pose || m_jumps >= jumpsToBelieve) {
       begin(seen, stamp);
     } else if (elsewhere) {
       isSeen = false;
     } else {
-      correct(seen, passed);
+      correct(seen, expected, passed);
       m_pose->stamp = stamp;
     }
+    if (isSeen) m_pose->tool = tool;
     if (isSeen && (detection.isWhole || m_learnt.empty())) learn(seen.size, stamp, parameters);
   }
   if (!m_pose) return {};
   const double age = stamp - m_pose->stamp;
-  return {boxAt(age), age};
+  return {boxAt(age, tool), age};
 }
 
 void LoadFollower::reset() { *this = LoadFollower(); }
 
-std::optional<OrientedBox> LoadFollower::expected(double stamp, double maxAge) const {
+std::optional<OrientedBox> LoadFollower::expected(
+    double stamp, double maxAge, const std::optional<Eigen::Vector3f>& tool) const {
   if (!m_pose || stamp < m_pose->stamp || stamp - m_pose->stamp > maxAge) return std::nullopt;
-  return boxAt(stamp - m_pose->stamp);
+  return boxAt(stamp - m_pose->stamp, tool);
 }
 
 /// Farther than a swinging load and the noise of its pose can take it.
-bool LoadFollower::jumps(const OrientedBox& seen, double passed) const {
+bool LoadFollower::jumps(const OrientedBox& seen, const OrientedBox& expected,
+                         double passed) const {
   constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
   constexpr double turn = 0.35, turnSpeed = 2.0;
-  return (seen.centre - boxAt(passed).centre).norm() > nearby + speed * passed ||
-         turnBetween(boxAt(passed).rotation, seen.rotation).norm() > turn + turnSpeed * passed;
+  return (seen.centre - expected.centre).norm() > nearby + speed * passed ||
+         turnBetween(expected.rotation, seen.rotation).norm() > turn + turnSpeed * passed;
 }
 
 void LoadFollower::begin(const OrientedBox& seen, double stamp) {
   if (!m_pose) m_learningSince = stamp;
-  m_pose = Pose{seen, Vector3d::Zero(), Vector3d::Zero(), stamp};
+  m_pose = Pose{seen, Vector3d::Zero(), Vector3d::Zero(), stamp, std::nullopt};
   m_jumps = 0;
 }
 
-void LoadFollower::correct(const OrientedBox& seen, double passed) {
+void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected, double passed) {
   Pose& pose = *m_pose;
-  const OrientedBox expected = boxAt(passed);
   const Vector3d off = seen.centre - expected.centre;
   const Vector3d turn = turnBetween(expected.rotation, seen.rotation);
   pose.box.centre = expected.centre + positionGain * off;
@@ -134,10 +138,16 @@ void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameter
   }
 }
 
-OrientedBox LoadFollower::boxAt(double passed) const {
+OrientedBox LoadFollower::boxAt(double passed, const std::optional<Eigen::Vector3f>& tool) const {
+  // Seconds for which it surely moves on; then the tool says more, and nothing how it turns.
+  constexpr double soon = 0.12, turning = 0.25;
   OrientedBox box = m_pose->box;
-  box.centre += m_pose->velocity * passed;
-  box.rotation = turned(box.rotation, m_pose->spin * passed);
+  if (passed > soon && tool && m_pose->tool) {
+    box.centre += (*tool - *m_pose->tool).cast<double>();
+  } else {
+    box.centre += m_pose->velocity * passed;
+  }
+  box.rotation = turned(box.rotation, m_pose->spin * std::min(passed, turning));
   box.size = m_size;
   return box;
 }

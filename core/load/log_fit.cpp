@@ -46,7 +46,8 @@ OrientedBox boxOf(const CylinderFit& log) {
 /// On both sides of the tool, and seen there; a boom that passes the tool is not held by it.
 bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
   constexpr double leastShown = 0.5, nearMiddle = 0.33;
-  // The tool point lies on the tool's near side: of what points at the camera it is nearer that end.
+  // The tool point lies on the tool's near side: of what points at the camera it is nearer that
+  // end.
   constexpr double toolDepth = 0.2;
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   const double shorter = std::min(fit.arm[0], fit.arm[1]) + reaches.cylinder.toolRadius;
@@ -56,6 +57,24 @@ bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
 }
 
 bool isWhole(const CylinderFit& fit) { return fit.endSeen[0] && fit.endSeen[1]; }
+
+/// Whether something is seen all the way from the tool point to the log: what holds it.
+bool hangsTogether(const CylinderFit& fit, const DepthPatch& patch, const Vector3d& tool) {
+  constexpr double deep = 0.35;  // metres by which a grapple is deeper than a line in it
+  constexpr double open = 0.3;   // metres that a grapple that is seen through may show
+  const Vector3d foot = fit.centre + fit.axis * fit.axis.dot(tool - fit.centre);
+  const double apart = (foot - tool).norm() - fit.radius, step = patch.cell * tool.z();
+  double gap = 0.0;
+  for (double way = 0.0; way < apart; way += step) {
+    const Vector3d p = tool + (foot - tool).normalized() * way;
+    const int cell = patch.indexOf(p.x() / p.z(), p.y() / p.z());
+    if (cell < 0 || std::isnan(patch.q[static_cast<std::size_t>(cell)])) continue;
+    const double z = patch.point(cell).z();
+    const double noise = 3.0 * patch.sigma[static_cast<std::size_t>(cell)] * p.z() * p.z();
+    gap += z > p.z() + deep + noise ? step : 0.0;
+  }
+  return gap < open;
+}
 
 /// Whether the body goes on where the log ends, as a boom does at its joints.
 bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patch) {
@@ -144,7 +163,8 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
     if (!axis) break;
     CylinderFit fit = fitCylinder(patch, body.tool, *axis, reaches.cylinder);
     const bool isThere = fit.fault == LoadFault::None;
-    if (isThere && (!isHeld(fit, reaches) || goesOn(fit, body, patch))) {
+    if (isThere && (!isHeld(fit, reaches) || !hangsTogether(fit, patch, body.tool) ||
+                    goesOn(fit, body, patch))) {
       fit.fault = LoadFault::NoBody;
     }
     if (saysMore(fit, log)) log = fit;
@@ -155,7 +175,8 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked, whole = isWhole(log);
   if (isLocked || !whole) {
     const bool fits = sizes && (isLocked || isAsThick(log, sizes->radius));
-    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch))) return LoadDetection::refused(LoadFault::EndHidden);
+    if (!fits || !giveSizes(log, *sizes, endWithin(log, patch)))
+      return LoadDetection::refused(LoadFault::EndHidden);
   }
   return {boxOf(log), LoadFault::None, whole};
 }
@@ -183,7 +204,8 @@ LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
     return LoadDetection::refused(LoadFault::NoBody);
   }
   // An arm that is hidden altogether does not end at the tool.
-  for (const std::size_t side : {0U, 1U}) log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
+  for (const std::size_t side : {0U, 1U})
+    log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
   const bool whole = isWhole(log);
   const Sizes sizes{expected.size.x(), radius};
   const bool isLocked = parameters.dimensions == LoadDimensions::Locked;

@@ -37,8 +37,8 @@ std::vector<int> cellsBeside(const DepthPatch& patch, const CylinderFrame& frame
                              const NearLine& line, double halfWidth) {
   std::vector<int> cells;
   const auto at = [&](int row, int column) {
-    return frame.look(Vector3d(patch.u0 + (column + 0.5) * patch.cell,
-                               patch.v0 + (row + 0.5) * patch.cell, 1.0));
+    return frame.look(
+        Vector3d(patch.u0 + (column + 0.5) * patch.cell, patch.v0 + (row + 0.5) * patch.cell, 1.0));
   };
   for (int cell = 0; cell < patch.side * patch.side; ++cell) {
     const auto k = static_cast<std::size_t>(cell);

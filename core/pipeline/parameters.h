@@ -63,7 +63,7 @@ struct ModelParameters {
   double probtresh = 0.5;    ///< P_limit
   double pPrior = 0.2;       ///< added by a hit
   double pPost = 0.7;        ///< what is left after a frame
-  ModelUpdate update = ModelUpdate::Thesis;
+  ModelUpdate update = ModelUpdate::Hysteresis;
   double leaveThreshold = 0.1;  ///< hysteresis: at and below it a cell leaves
   double logOddsHit = 0.7;      ///< log-odds: P(occupied) that a measurement alone would give
   double logOddsMiss = 0.4;     ///< log-odds: P(occupied) that a miss alone would give

@@ -125,7 +125,9 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   // A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
   // one in which the boom is taken for a part of the surroundings.
   const bool isEvidence = verdict.reason == Reason::None && !result.tool.lost();
-  if (isEvidence) result.modelRebuilt = state.surroundings.learn(result.scene, parameters);
+  if (isEvidence) {
+    result.modelRebuilt = state.surroundings.learn(*result.cloud, result.scene, parameters);
+  }
   clock.lap("model");
 
   state.judge(result, verdict.reason);
@@ -187,9 +189,9 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
     const LoadDetection detection =
         result.tool.point
             ? detectLoad(*result.cloud, *result.tool.point, noise, result.parameters.bounds,
-                         parameters, loads.expected(stamp, maxAge))
+                         parameters, loads.expected(stamp, maxAge, result.tool.point))
             : LoadDetection::refused(LoadFault::NoToolPoint);
-    const auto followed = loads.follow(detection, stamp, parameters, maxAge);
+    const auto followed = loads.follow(detection, stamp, parameters, maxAge, result.tool.point);
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;

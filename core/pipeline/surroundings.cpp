@@ -24,7 +24,8 @@ EnvironmentModel without(const EnvironmentModel& model, std::span<const std::siz
 
 }  // namespace
 
-bool Surroundings::learn(const StaticScene& scene, const Parameters& parameters) {
+bool Surroundings::learn(const Cloud& cloud, const StaticScene& scene,
+                         const Parameters& parameters) {
   const GridGeometry geometry(parameters.bounds, parameters.model.resolution,
                               parameters.model.projection);
   const bool anew = !m_exists || !(m_model.geometry() == geometry);
@@ -35,7 +36,8 @@ bool Surroundings::learn(const StaticScene& scene, const Parameters& parameters)
   // Noise is not believed, but neither does it show that nothing is there.
   m_hidden = scene.removed;
   m_hidden.insert(m_hidden.end(), scene.noise.begin(), scene.noise.end());
-  m_model.update(m_evidence, parameters.model, m_hidden);
+  const DepthView view(cloud);
+  m_model.update(m_evidence, parameters.model, m_hidden, &view);
 
   m_pieces.rebuild(m_model, parameters.filter.clusterTolerance);
   const ClearanceParameters& search = parameters.clearance;

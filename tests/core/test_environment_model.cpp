@@ -9,6 +9,7 @@ using boomwatch::EnvironmentModel;
 using boomwatch::framesToEnter;
 using boomwatch::GridGeometry;
 using boomwatch::ModelParameters;
+using boomwatch::ModelUpdate;
 using boomwatch::Points;
 
 namespace {
@@ -90,7 +91,7 @@ class TestEnvironmentModel : public QObject {
   }
   void updateEqualsEquations8To11() {
     QFETCH(double, resolution);
-    ModelParameters parameters;
+    ModelParameters parameters{.update = ModelUpdate::Thesis};
     QFETCH(double, pPrior);
     QFETCH(double, pPost);
     parameters.pPrior = pPrior;
@@ -115,7 +116,7 @@ class TestEnvironmentModel : public QObject {
 
   void theNearestPointOfACellWins() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
-    const ModelParameters parameters{.probtresh = 0.1};
+    const ModelParameters parameters{.probtresh = 0.1, .update = ModelUpdate::Thesis};
     model.update(Points{inCell(model, 3, 4, 90), inCell(model, 3, 4, 20), inCell(model, 3, 4, 200)},
                  parameters);
     QCOMPARE(model.levels()[model.geometry().index(3, 4)], std::uint8_t{20});
@@ -125,7 +126,7 @@ class TestEnvironmentModel : public QObject {
     EnvironmentModel model(GridGeometry(Bounds{0, 2.55, 0, 0.01, 0.5, 3.0}, 0.01));
     Points points;
     for (int level = 1; level <= 255; ++level) points.push_back(inCell(model, level - 1, 0, level));
-    model.update(points, ModelParameters{.probtresh = 0.1});
+    model.update(points, ModelParameters{.probtresh = 0.1, .update = ModelUpdate::Thesis});
     for (int level = 1; level <= 255; ++level) {
       QCOMPARE(int(model.levels()[model.geometry().index(level - 1, 0)]), level);
     }
@@ -133,7 +134,7 @@ class TestEnvironmentModel : public QObject {
 
   void aThingEntersAfterFourFramesAndLeavesAfterOneMiss() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
-    const ModelParameters parameters;
+    const ModelParameters parameters{.update = ModelUpdate::Thesis};
     const Points seen{inCell(model, 7, 7, 100)};
     for (int frame = 1; frame <= 20; ++frame) {
       model.update(seen, parameters);
@@ -145,7 +146,7 @@ class TestEnvironmentModel : public QObject {
 
   void anUnseenCellKeepsItsLevelWhileItIsProbable() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
-    const ModelParameters parameters{.probtresh = 0.3};
+    const ModelParameters parameters{.probtresh = 0.3, .update = ModelUpdate::Thesis};
     for (int frame = 0; frame < 10; ++frame)
       model.update(Points{inCell(model, 2, 3, 50)}, parameters);
     model.update({}, parameters);
@@ -157,7 +158,7 @@ class TestEnvironmentModel : public QObject {
 
   void neverObservedObservedFreeAndOccupiedAreThreeThings() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
-    const ModelParameters parameters;
+    const ModelParameters parameters{.update = ModelUpdate::Thesis};
     Eigen::Vector3f through = inCell(model, 5, 5, 255);
     through.z() = 50.0F;
     const Points points{inCell(model, 1, 1, 10), through};
@@ -169,7 +170,7 @@ class TestEnvironmentModel : public QObject {
 
   void whatIsNoLongerMeasuredIsForgottenNotFree() {
     EnvironmentModel model(GridGeometry(smallBounds, 0.05));
-    const ModelParameters parameters;
+    const ModelParameters parameters{.update = ModelUpdate::Thesis};
     Eigen::Vector3f through = inCell(model, 5, 5, 255);
     through.z() = 50.0F;
     const Points both{inCell(model, 1, 1, 10), through};
@@ -203,7 +204,7 @@ class TestEnvironmentModel : public QObject {
     }
     for (const float bad : {nan, infinity, -infinity, -1e30F, 0.49F})
       points.emplace_back(0, 0, bad);
-    model.update(points, ModelParameters{.probtresh = 0.1});
+    model.update(points, ModelParameters{.probtresh = 0.1, .update = ModelUpdate::Thesis});
     QVERIFY(std::all_of(model.probabilities().begin(), model.probabilities().end(),
                         [](float p) { return p == 0.0F; }));
   }
@@ -215,7 +216,7 @@ class TestEnvironmentModel : public QObject {
   }
 
   void whatIsMaskedHidesWhatIsBehindItOnly() {
-    const ModelParameters parameters;
+    const ModelParameters parameters{.update = ModelUpdate::Thesis};
     const GridGeometry geometry(smallBounds, 0.05);
     const int near = 60, middle = 120, far = 240;  // levels of 1 cm
     const auto statesAfter = [&](int masked) {

@@ -51,7 +51,7 @@ class TestLoadDetector : public QObject {
     load_scene::Errors errors;
     load_scene::addPoses(errors, 1000, 20);
     qInfo("%s", qPrintable(errors.text()));
-    QVERIFY(errors.found() >= 9);
+    QVERIFY(errors.found() >= 16);
     QVERIFY(load_scene::quantile(errors.axis, 0.5) < 3.0);
     QVERIFY(load_scene::quantile(errors.centre, 0.5) < 0.05);
     QVERIFY(load_scene::quantile(errors.radius, 0.5) < 0.10);

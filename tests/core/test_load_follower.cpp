@@ -16,7 +16,7 @@ LoadDetection seen(const Vector3d& centre, double turn = 0.0, Vector3d size = {3
   box.centre = centre;
   box.size = size;
   box.rotation = Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
-  return {box, LoadFault::None};
+  return {box, LoadFault::None, true};
 }
 
 const LoadDetection nothing = LoadDetection::refused(LoadFault::NoBody);
@@ -50,6 +50,39 @@ class TestLoadFollower : public QObject {
       const double x = 0.05 * k;
       const auto followed = follower.follow(seen({x, 0, 5}), k * step, {}, maxAge);
       if (k > 50) QVERIFY(std::abs(followed.box->centre.x() - x) < 0.01);
+    }
+  }
+
+  void aTurningLoadIsFollowedWithoutLag() {
+    LoadFollower follower;
+    for (int k = 0; k < 100; ++k) {
+      const double turn = 0.06 * k;
+      const auto followed = follower.follow(seen({0, 0, 5}, turn), k * step, {}, maxAge);
+      const Vector3d axis(std::cos(turn), std::sin(turn), 0.0);
+      if (k > 50) QVERIFY(std::abs(followed.box->rotation.col(0).dot(axis)) > std::cos(0.01));
+    }
+  }
+
+  void aLoadThatIsNotSeenGoesWithItsTool() {
+    LoadFollower follower;
+    const Eigen::Vector3f tool(0, -1, 5), later(0.3F, -0.8F, 5.1F);
+    for (int k = 0; k < 10; ++k) follower.follow(seen({0, 0, 5}), k * step, {}, maxAge, tool);
+    const double stamp = 9 * step + 0.3;
+    const auto expected = follower.expected(stamp, maxAge, later);
+    QVERIFY(expected);
+    QVERIFY((expected->centre - Vector3d(0.3, 0.2, 5.1)).norm() < 1e-3);
+    const auto followed = follower.follow(nothing, stamp, {}, maxAge, later);
+    QVERIFY((followed.box->centre - expected->centre).norm() < 1e-9);
+    QVERIFY(!follower.expected(stamp + maxAge, maxAge, later));
+  }
+
+  void sizesThatWereTakenOverAreNotLearnt() {
+    LoadFollower follower;
+    follower.follow(seen({0, 0, 5}, 0.0, {3.0, 0.3, 0.3}), 0.0, {}, maxAge);
+    LoadDetection part = seen({0, 0, 5}, 0.0, {3.4, 0.3, 0.3});
+    part.isWhole = false;
+    for (int k = 1; k < 9; ++k) {
+      QCOMPARE(follower.follow(part, k * step, {}, maxAge).box->size.x(), 3.0);
     }
   }
 

@@ -232,8 +232,8 @@ class TestParameters : public QObject {
     row("probtresh=0.67 model_update=hysteresis", "probtresh");
     row("probtresh=0.9 model_update=log_odds", "");
     row("probtresh=0.97 model_update=log_odds", "probtresh");
-    row("probtresh=0", "probtresh");
-    row("probtresh=0.01 leave_threshold=0.5", "");
+    row("probtresh=0 model_update=thesis", "probtresh");
+    row("probtresh=0.01 leave_threshold=0.5 model_update=thesis", "");
     row("range=1.9", "range");
     row("range=2", "");
     row("clearance_method=rays radius=49", "radius");

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "frame/cloud.h"
+#include "frame/pinhole_fit.h"
+
+namespace boomwatch {
+
+/// What the camera sees along its own rays. A model of columns along z cannot tell whether a
+/// surface is hidden by something that stands in the same column but beside it in the picture; this
+/// can. Keeps a reference to the cloud. Const; any thread.
+class DepthView {
+ public:
+  /// Sees nothing where the cloud is not organised or no pinhole's.
+  explicit DepthView(const Cloud& cloud) : m_cloud(cloud), m_projection(fitPinhole(cloud)) {}
+
+  /// Whether the rays to a piece of surface `size` metres wide around `surface` (camera frame) all
+  /// go on to something more than `room` metres farther away: it is not there. False where a ray
+  /// leaves the picture or measured nothing.
+  bool looksThrough(const Eigen::Vector3d& surface, double size, double room) const;
+
+ private:
+  const Cloud& m_cloud;
+  std::optional<PinholeProjection> m_projection;
+};
+
+}  // namespace boomwatch
