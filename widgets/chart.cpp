@@ -173,6 +173,7 @@ class ChartPainter {
     m_painter.setClipRect(m_parts.plot.adjusted(-markSize, -markSize, markSize, markSize));
     for (std::size_t k = 0; k < m_figure.series.size(); ++k) drawSeries(static_cast<int>(k));
     m_painter.restore();
+    drawZoneNames();
     drawFrame();
     drawWords();
   }
@@ -190,9 +191,7 @@ class ChartPainter {
     const double worst = m_colours.zone.alphaF();
     for (std::size_t k = 0; k < m_figure.zones.size(); ++k) {
       const Zone& zone = m_figure.zones[k];
-      const QRectF band = QRectF(QPointF(m_parts.plot.left(), yOf(zone.high)),
-                                 QPointF(m_parts.plot.right(), yOf(zone.low)))
-                              .intersected(m_parts.plot);
+      const QRectF band = bandOf(zone);
       if (band.height() <= 0.0) continue;
       QColor colour = m_colours.zone;
       const auto share = static_cast<double>(k + 1) / static_cast<double>(m_figure.zones.size());
@@ -200,10 +199,27 @@ class ChartPainter {
       m_painter.fillRect(band, colour);
       m_painter.setPen(QPen(m_colours.ink, 1, Qt::DotLine));
       if (band.top() > m_parts.plot.top()) m_painter.drawLine(band.topLeft(), band.topRight());
-      m_painter.setPen(m_colours.ink);
-      m_painter.drawText(band.adjusted(gap, 2, -gap, -2), Qt::AlignRight | Qt::AlignTop,
-                         words(zone.name));
     }
+  }
+
+  /// Over the lines, on paper of their own.
+  void drawZoneNames() {
+    for (const Zone& zone : m_figure.zones) {
+      const QRectF band = bandOf(zone);
+      const QFontMetricsF metrics(m_painter.font());
+      const double width = metrics.horizontalAdvance(words(zone.name)) + gap;
+      if (zone.name.empty() || band.height() < metrics.height() + 4) continue;
+      const QRectF label(band.right() - width - 2, band.top() + 2, width, metrics.height());
+      m_painter.fillRect(label, m_colours.paper);
+      m_painter.setPen(m_colours.ink);
+      m_painter.drawText(label, Qt::AlignCenter, words(zone.name));
+    }
+  }
+
+  QRectF bandOf(const Zone& zone) const {
+    return QRectF(QPointF(m_parts.plot.left(), yOf(zone.high)),
+                  QPointF(m_parts.plot.right(), yOf(zone.low)))
+        .intersected(m_parts.plot);
   }
 
   void drawGaps() {
