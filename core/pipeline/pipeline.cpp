@@ -70,12 +70,14 @@ struct Pipeline::State {
   Surroundings surroundings;
   LoadMotion motion;
   WarningMemory warning;
-  double depthPerPixel = 0.0;  ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
+  std::optional<double> unmaskedSince;  ///< stamp from which the crane was not told from the scene
+  double depthPerPixel = 0.0;           ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<OrientedBox> findLoad(Result& result);
+  bool isEvidence(const Result& result, Reason frameFault);
   Reason whyNothing(const Result& result, Reason frameFault) const;
   void judge(Result& result, Reason frameFault) const;
   Watched watchLoad(const Result& result) const;
@@ -122,10 +124,7 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   clock.lap("filter");
 
   if (verdict.modelIsStale) state.surroundings.forget();
-  // A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
-  // one in which the boom is taken for a part of the surroundings.
-  const bool isEvidence = verdict.reason == Reason::None && !result.tool.lost();
-  if (isEvidence) {
+  if (state.isEvidence(result, verdict.reason)) {
     result.modelRebuilt = state.surroundings.learn(*result.cloud, result.scene, parameters);
   }
   clock.lap("model");
@@ -203,6 +202,21 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
   const double margin = detected ? parameters.margin : result.parameters.model.resolution;
   return dynamicVolume(*result.load, margin, noise);
+}
+
+/// A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
+/// one in which boom and load are taken for a part of the surroundings; but where they touch the
+/// ground for long, they are better learnt, and warned of, than that nothing else is.
+bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
+  const double stamp = result.frame->stamp;
+  if (result.scene.toolMask != ToolMask::TooLarge) {
+    unmaskedSince.reset();
+  } else if (!unmaskedSince || stamp < *unmaskedSince) {
+    unmaskedSince = stamp;
+  }
+  const bool unmasked =
+      unmaskedSince && stamp - *unmaskedSince <= result.parameters.tracking.maxToolAge;
+  return frameFault == Reason::None && !result.tool.lost() && !unmasked;
 }
 
 /// The links of the chain that come before any distance, in the order in which they can fail.

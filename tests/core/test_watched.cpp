@@ -63,6 +63,7 @@ class TestWatched : public QObject {
   void measuresToolAndBoomBesideTheLoad();
   void sizesBelowTheSmallestThingDoNotCount();
   void nothingWatchedIsRefused();
+  void aBoomThatIsNotToldFromTheWallTeachesNothingAtFirst();
 };
 
 void TestWatched::cutsTheBoomWhereItBends() {
@@ -180,6 +181,29 @@ void TestWatched::nothingWatchedIsRefused() {
   QVERIFY_EXCEPTION_THROWN(validate(parameters), Error);
   parameters.watch.tool = true;
   validate(parameters);
+}
+
+void TestWatched::aBoomThatIsNotToldFromTheWallTeachesNothingAtFirst() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5, 0.2);
+  Pipeline pipeline;
+  pipeline.order(PickTool{{80, 78}});
+  std::uint64_t frame = 0;
+  const auto run = [&](int frames) {
+    Result result;
+    for (int n = 0; n < frames; ++n) {
+      result = pipeline.process(rodBeforeWall(frame++, 3.0F, 2.5F), parameters);
+    }
+    return result;
+  };
+  const double before = run(8).clearance.nearest->distance;
+  QVERIFY(std::abs(before - 1.4) < 0.05);    // to the wall
+  parameters.filter.clusterTolerance = 1.0;  // rod and wall are one
+  const Result touching = run(9);            // 0.45 s
+  QVERIFY(touching.scene.toolMask == ToolMask::TooLarge);
+  QCOMPARE(touching.clearance.nearest->distance, before);
+  // For longer: then it is better to warn of the rod than not to learn what comes.
+  QVERIFY(std::abs(run(20).clearance.nearest->distance - 0.9) < 0.05);
 }
 
 QTEST_APPLESS_MAIN(TestWatched)
