@@ -17,8 +17,9 @@ namespace boomwatch {
 /// everything else is const. Used by one thread.
 class Surroundings {
  public:
-  /// One frame that is evidence, `scene` being what its `cloud` was split into. True when the model was begun anew: the first time, after
-  /// forget(), and when its size or its projection has changed.
+  /// One frame that is evidence, `scene` being what its `cloud` was split into. True when the model
+  /// was begun anew: the first time, after forget(), and when its size or its projection has
+  /// changed.
   bool learn(const Cloud& cloud, const StaticScene& scene, const Parameters& parameters);
   /// What was learnt holds no more: the next frame begins a new model.
   void forget() { m_exists = false; }

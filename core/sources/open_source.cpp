@@ -21,8 +21,9 @@ std::unique_ptr<FrameSource> openSource(const std::string& address, const Source
     if (kind == "camera") return openCameraSource(rest, address, options);
     if (kind == "demo") return openDemoSource(rest, address);
   }
-  throw Error("source '" + address + "'", "it does not begin with a kind of source",
-              "Give stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT or demo:NAME.");
+  throw Error(
+      "source '" + address + "'", "it does not begin with a kind of source",
+      "Give stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT or demo:NAME.");
 }
 
 }  // namespace boomwatch

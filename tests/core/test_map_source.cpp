@@ -42,8 +42,8 @@ class TestMapSource : public QObject {
 void TestMapSource::aGridIsSeenFromAbove() {
   const TemporaryFolder folder;
   folder.write("slope.asc", slope);
-  const auto cloud = cloudOf(folder.write(
-      "slope.yaml", "file: slope.asc\nkind: height\ncamera_height: 20\nspacing: 2\n"));
+  const auto cloud = cloudOf(
+      folder.write("slope.yaml", "file: slope.asc\nkind: height\ncamera_height: 20\nspacing: 2\n"));
   QCOMPARE(cloud->width, 3);
   QCOMPARE(cloud->height, 2);
   // The first value is the north-west corner: up in the picture, left.

@@ -47,7 +47,7 @@ Parameters parametersFor(const Cloud& cloud) {
   b.zMin = quantile(cloud, 2, 0.01) - 0.6, b.zMax = quantile(cloud, 2, 0.99);
   parameters.model.resolution = 0.02;
   parameters.filter.clusterMinimum = 1;
-  parameters.clearance.smallestThing = 0.0;  // as brute force, which knows no pieces
+  parameters.clearance.smallestThing = 0.0;    // as brute force, which knows no pieces
   parameters.validity.identicalFrames = 1000;  // one file stands for a still scene
   parameters.load.source = LoadSource::Manual;
   parameters.load.sizeX = 0.2, parameters.load.sizeY = parameters.load.sizeZ = 0.06;
