@@ -68,7 +68,7 @@ QImage texture(int disparity, int frame) {
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const auto hash =
-          static_cast<quint32>((x + disparity) * 73856093) ^ static_cast<quint32>(y * 19349663);
+          static_cast<quint32>(x + disparity) * 73856093U ^ static_cast<quint32>(y) * 19349663U;
       image.scanLine(y)[x] = static_cast<uchar>((hash * 2654435761U) >> 24);
     }
   }
