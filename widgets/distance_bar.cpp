@@ -6,6 +6,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "texts.h"
 #include "theme.h"
@@ -27,7 +28,7 @@ struct Layout {
     const double numberHeight = std::clamp(width * 0.42, 52.0, 120.0);
     level = {0, 0, size.width(), 46};
     number = {margin, level.bottom() + 4, width, numberHeight};
-    hint = {margin, number.bottom(), width, 104};
+    hint = {margin, number.bottom(), width, 128};
     const double top = hint.bottom() + 12;
     const double height = std::max(20.0, size.height() - top - 14);
     bar = {margin, top, width * 0.55, height};
@@ -257,15 +258,14 @@ QString DistanceBar::hintText() const {
   if (found) {
     const double error = found->quantisation + result.depthUncertainty.value_or(0.0);
     lines << leadText(result, *found);
-    lines << QStringLiteral("\u00b1 ") + metresText(error);
+    QString certainty = QStringLiteral("\u00b1 ") + metresText(error);
+    if (const auto& evidence = result.clearance.evidence) {
+      const double percent = std::floor(evidence->confidence * 100.0);
+      certainty += QStringLiteral(", ") + tr("evidence %1 %").arg(percent);
+    }
+    lines << certainty;
   } else {
     lines << nothingWithin();
-  }
-  if (const auto& evidence = result.clearance.evidence) {
-    lines << tr("evidence %1 %").arg(std::floor(evidence->confidence * 100.0));
-  }
-  for (std::size_t k = 0; k < result.watched.size(); ++k) {
-    if (k != result.leading) lines << watchedDistance(result.watched[k]);
   }
   if (result.approach && result.approach->timeToContact) {
     const double seconds = std::floor(*result.approach->timeToContact * 10.0) / 10.0;
@@ -278,15 +278,40 @@ QString DistanceBar::hintText() const {
     lines << (percent >= 100 ? tr("all around it was seen")
                              : tr("%1 % around it never seen: may be nearer").arg(100 - percent));
   }
+  lines << othersText(result);
+  lines.removeAll({});
+  return lines.join(QLatin1Char('\n'));
+}
+
+/// What does not lead, in one line: of the boom's segments the nearest.
+QString DistanceBar::othersText(const Result& result) {
+  const auto distanceOf = [](const Watched& watched) {
+    return watched.clearance.nearest ? watched.clearance.nearest->distance : HUGE_VAL;
+  };
+  std::map<WatchedObject, const Watched*> nearest;
+  for (const Watched& watched : result.watched) {
+    const Watched*& best = nearest[watched.object];
+    if (!best || distanceOf(watched) < distanceOf(*best)) best = &watched;
+  }
+  if (result.leading < result.watched.size()) nearest.erase(result.watched[result.leading].object);
+  QStringList parts;
+  for (const auto& [object, watched] : nearest) parts << watchedDistance(*watched);
+  return parts.join(QStringLiteral(", "));
+}
+
+QString DistanceBar::detailText() const {
+  QStringList lines{hintText()};
+  if (m_display && m_display->result->watched.size() > 1) {
+    for (const Watched& watched : m_display->result->watched) lines << watchedDistance(watched);
+  }
   return lines.join(QLatin1Char('\n'));
 }
 
 void DistanceBar::announce() {
   const QString distance = nearest() ? tr("%1 m").arg(numberText()) : hintText();
   const QString name = tr("Distance: %1, %2").arg(levelText(level()), distance);
-  if (name == accessibleName()) return;
-  setAccessibleName(name);
-  setToolTip(hintText());
+  if (name != accessibleName()) setAccessibleName(name);
+  setToolTip(detailText());
 }
 
 void DistanceBar::paintEvent(QPaintEvent*) {

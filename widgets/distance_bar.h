@@ -30,6 +30,8 @@ class DistanceBar : public QWidget {
   WarningLevel level() const;
   /// What stands below the number: the reason, "nothing within 10 m", or how sure it is.
   QString hintText() const;
+  /// That, and everything that is watched, a line each.
+  QString detailText() const;
 
   QSize sizeHint() const override { return {176, 480}; }
   QSize minimumSizeHint() const override { return {176, 260}; }
@@ -40,6 +42,7 @@ class DistanceBar : public QWidget {
  private:
   /// What of what the distance is: a part of the load, the tool, the boom, or unseen space.
   static QString leadText(const Result& result, const Nearest& nearest);
+  static QString othersText(const Result& result);
   const Nearest* nearest() const;
   bool nothingInRange() const;
   double searchedRange() const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "environment/cell_update.h"
+#include "experiments/update_rule.h"
 
 namespace boomwatch {
 namespace {
@@ -37,14 +38,6 @@ std::optional<int> byEquation(const ModelParameters& p) {
   if (reached >= 1.0) return std::nullopt;
   return static_cast<int>(std::floor(std::log(1.0 - reached) / std::log(p.pPost))) + 1;
 }
-
-struct Rule {
-  ModelUpdate update;
-  const char* name;
-};
-constexpr std::array rules{Rule{ModelUpdate::Thesis, "thesis"},
-                           Rule{ModelUpdate::Hysteresis, "hysteresis"},
-                           Rule{ModelUpdate::LogOdds, "log_odds"}};
 
 struct Line {
   std::optional<int> enter, leave;
@@ -83,14 +76,15 @@ std::optional<Chapter> runEntryExperiment(const ExperimentSetup& setup,
                 {},
                 {},
                 {}};
-  for (const Rule& rule : rules) figure.series.push_back({rule.name, {}, Series::Kind::Marked});
+  for (const UpdateRule& rule : updateRules)
+    figure.series.push_back({rule.name, {}, Series::Kind::Marked});
   ModelParameters parameters = setup.parameters.model;
   for (int step = 1; step < 20; ++step) {
     parameters.probtresh = step * 0.05;
     parameters.update = ModelUpdate::Thesis;
     Cells row{fixedText(parameters.probtresh, 2), text(byEquation(parameters))};
-    for (std::size_t k = 0; k < rules.size(); ++k) {
-      parameters.update = rules[k].update;
+    for (std::size_t k = 0; k < updateRules.size(); ++k) {
+      parameters.update = updateRules[k].update;
       const Line line = lineOf(parameters);
       row.push_back(text(line.enter));
       row.push_back(line.enter ? text(line.leave) : "");

@@ -6,6 +6,7 @@
 
 #include "environment/cell_update.h"
 #include "experiments/model_picture.h"
+#include "experiments/update_rule.h"
 #include "simulation/pinhole_view.h"
 #include "simulation/yard/yard.h"
 
@@ -17,14 +18,6 @@ using Eigen::Vector3d;
 constexpr double rate = Yard::rate;
 constexpr double walking = 1.1, running = 4.0;  // m/s
 const PinholeCamera camera{384, 288, 200.0};
-
-struct Rule {
-  ModelUpdate update;
-  const char* name;
-};
-constexpr std::array rules{Rule{ModelUpdate::Thesis, "thesis"},
-                           Rule{ModelUpdate::Hysteresis, "hysteresis"},
-                           Rule{ModelUpdate::LogOdds, "log_odds"}};
 
 OrientedBox upright(const Vector3d& centre, const Vector3d& size) {
   return {centre, size, Eigen::Matrix3d::Identity()};
@@ -50,10 +43,10 @@ class Watchers {
  public:
   Watchers(const Stage& stage, const ModelParameters& parameters)
       : m_stage(stage), m_geometry(stage.bounds, stage.resolution) {
-    for (std::size_t k = 0; k < rules.size(); ++k) {
+    for (std::size_t k = 0; k < updateRules.size(); ++k) {
       m_models.emplace_back(m_geometry);
       m_parameters[k] = parameters;
-      m_parameters[k].update = rules[k].update;
+      m_parameters[k].update = updateRules[k].update;
     }
   }
 
@@ -97,7 +90,7 @@ class Watchers {
   const Stage& m_stage;
   GridGeometry m_geometry;
   std::vector<EnvironmentModel> m_models;
-  std::array<ModelParameters, rules.size()> m_parameters;
+  std::array<ModelParameters, updateRules.size()> m_parameters;
 };
 
 /// Fig. 18: someone goes past, 3 m away.
@@ -118,16 +111,16 @@ struct Walk {
 };
 
 /// Somebody walks past, with or without a wall behind.
-std::array<Walk, rules.size()> walkPast(const Stage& stage, double speed,
-                                        const ModelParameters& parameters, Picture* picture) {
+std::array<Walk, updateRules.size()> walkPast(const Stage& stage, double speed,
+                                              const ModelParameters& parameters, Picture* picture) {
   Watchers watchers(stage, parameters);
   for (int frame = 0; frame < 8; ++frame) watchers.show(std::nullopt);
-  std::array<Walk, rules.size()> walks;
+  std::array<Walk, updateRules.size()> walks;
   const int frames = static_cast<int>(4.8 / speed * rate);
   for (int frame = 0; frame < frames; ++frame) {
     const OrientedBox person = walker(frame / rate * speed);
     watchers.show(person);
-    for (std::size_t k = 0; k < rules.size(); ++k) {
+    for (std::size_t k = 0; k < updateRules.size(); ++k) {
       const double share = watchers.shareOf(person, k);
       walks[k].most = std::max(walks[k].most, share);
       walks[k].mean += share / frames;
@@ -143,8 +136,8 @@ std::array<Walk, rules.size()> walkPast(const Stage& stage, double speed,
 void addWalk(Table& table, const char* where, const Stage& stage, double speed,
              const ModelParameters& parameters, Picture* picture = nullptr) {
   const auto walks = walkPast(stage, speed, parameters, picture);
-  for (std::size_t k = 0; k < rules.size(); ++k) {
-    table.rows.push_back({where, fixedText(speed, 1), rules[k].name,
+  for (std::size_t k = 0; k < updateRules.size(); ++k) {
+    table.rows.push_back({where, fixedText(speed, 1), updateRules[k].name,
                           fixedText(walks[k].most, 0, 100.0), fixedText(walks[k].mean, 0, 100.0)});
   }
 }
@@ -177,18 +170,18 @@ struct Swing {
   std::optional<int> appeared, vanished;  ///< frames after it stopped, and after it was taken away
 };
 
-std::array<Swing, rules.size()> swing(const ModelParameters& parameters, Figure& figure,
-                                      Table& head) {
+std::array<Swing, updateRules.size()> swing(const ModelParameters& parameters, Figure& figure,
+                                            Table& head) {
   constexpr double most = 0.9, least = 0.1;  // of the sheet: it is there, it is gone
   const Stage stage = swingStage();
   Watchers watchers(stage, parameters);
-  std::array<Swing, rules.size()> swings;
+  std::array<Swing, updateRules.size()> swings;
   const int swung = static_cast<int>(swingFor * rate);
   const int held = swung + static_cast<int>(heldFor * rate), all = held + 15;
   for (int frame = 0; frame < all; ++frame) {
     const OrientedBox paper = sheet(std::min(frame, held) / rate);
     watchers.show(frame < held ? std::optional(paper) : std::nullopt);
-    for (std::size_t k = 0; k < rules.size(); ++k) {
+    for (std::size_t k = 0; k < updateRules.size(); ++k) {
       const double share = watchers.shareOf(paper, k);
       Swing& one = swings[k];
       if (frame < swung) one.whileSwung = std::max(one.whileSwung, share);
@@ -244,12 +237,13 @@ std::optional<Chapter> runPassingExperiment(const ExperimentSetup& setup,
                 {},
                 {},
                 {}};
-  for (const Rule& rule : rules) figure.series.push_back({rule.name, {}, Series::Kind::Steps});
+  for (const UpdateRule& rule : updateRules)
+    figure.series.push_back({rule.name, {}, Series::Kind::Steps});
   const auto swings = swing(parameters, figure, head);
-  for (std::size_t k = 0; k < rules.size(); ++k) {
+  for (std::size_t k = 0; k < updateRules.size(); ++k) {
     ModelParameters of = parameters;
-    of.update = rules[k].update;
-    held.rows.push_back({rules[k].name, fixedText(swings[k].whileSwung, 0, 100.0),
+    of.update = updateRules[k].update;
+    held.rows.push_back({updateRules[k].name, fixedText(swings[k].whileSwung, 0, 100.0),
                          text(framesToEnter(of)), text(swings[k].appeared),
                          text(swings[k].vanished)});
   }

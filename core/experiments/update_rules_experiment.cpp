@@ -5,6 +5,7 @@
 #include "experiments/rule_watch.h"
 #include "experiments/statistics.h"
 #include "experiments/true_tool.h"
+#include "experiments/update_rule.h"
 #include "pipeline/pipeline.h"
 #include "simulation/demo_source.h"
 
@@ -13,14 +14,7 @@ namespace {
 
 constexpr std::size_t mostYards = 3;
 
-struct Rule {
-  ModelUpdate update;
-  const char* name;
-};
-constexpr std::array rules{Rule{ModelUpdate::Thesis, "thesis"},
-                           Rule{ModelUpdate::Hysteresis, "hysteresis"},
-                           Rule{ModelUpdate::LogOdds, "log_odds"}};
-using AllFigures = std::array<RuleWatch::Figures, rules.size()>;
+using AllFigures = std::array<RuleWatch::Figures, updateRules.size()>;
 
 std::vector<bool> cellsOf(const GridGeometry& geometry, const Points& points) {
   std::vector<bool> cells(geometry.cellCount());
@@ -42,8 +36,8 @@ bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentP
   parameters.load.source = LoadSource::Scene;
   const GridGeometry geometry(parameters.bounds, parameters.model.resolution,
                               parameters.model.projection);
-  std::vector<EnvironmentModel> models(rules.size(), EnvironmentModel(geometry));
-  std::vector<RuleWatch> watches(rules.size(), RuleWatch(geometry));
+  std::vector<EnvironmentModel> models(updateRules.size(), EnvironmentModel(geometry));
+  std::vector<RuleWatch> watches(updateRules.size(), RuleWatch(geometry));
   TrueTool tool;
   Pipeline pipeline(tool.maker());
   pipeline.order(TrueTool::order());
@@ -56,16 +50,16 @@ bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentP
     evidence.insert(evidence.end(), result.scene.beyond.begin(), result.scene.beyond.end());
     const std::vector<bool> hidden = cellsOf(geometry, masked);
     masked.insert(masked.end(), result.scene.noise.begin(), result.scene.noise.end());
-    for (std::size_t k = 0; k < rules.size(); ++k) {
+    for (std::size_t k = 0; k < updateRules.size(); ++k) {
       ModelParameters rule = parameters.model;
-      rule.update = rules[k].update;
+      rule.update = updateRules[k].update;
       models[k].update(evidence, rule, masked);
       watches[k].look(models[k], truth, hidden);
     }
     const auto done = static_cast<double>(frameIndex + 1);
     if (!progress(done / static_cast<double>(setup.framesOfAYard()))) return false;
   }
-  for (std::size_t k = 0; k < rules.size(); ++k) watches[k].addTo(figures[k]);
+  for (std::size_t k = 0; k < updateRules.size(); ++k) watches[k].addTo(figures[k]);
   return true;
 }
 
@@ -106,8 +100,8 @@ std::optional<Chapter> runUpdateRulesExperiment(const ExperimentSetup& setup,
                "frames to leave, 50 %", "95 %", "false cells", "cells with what moves"},
               {},
               1};
-  for (std::size_t k = 0; k < rules.size(); ++k) {
-    table.rows.push_back(cellsOf(rules[k].name, figures[k]));
+  for (std::size_t k = 0; k < updateRules.size(); ++k) {
+    table.rows.push_back(cellsOf(updateRules[k].name, figures[k]));
   }
   return Chapter{
       "The three updates of the model",

@@ -29,6 +29,14 @@ class TestMainWindow : public QObject {
     parameters.bounds = {-2, 2, -2, 2, 0, 5};
     return parameters;
   }
+  /// Eight frames of the recording, as fast as they come.
+  static bool playsEight(Worker& worker, MainWindow& window) {
+    QSignalSpy finished(&window, &MainWindow::finished);
+    worker.command(SpeedCommand{Player::unlimited});
+    worker.command(StopAfterCommand{8});
+    window.openSource("fake");
+    return QTest::qWaitFor([&] { return finished.count() == 1; });
+  }
   static SourceOpener opening(const test::Script& script) {
     return [script](const std::string&, const SourceOptions&) {
       return std::make_unique<test::FakeSource>(script);
@@ -86,11 +94,7 @@ class TestMainWindow : public QObject {
   void showsWhatTheWorkerPublishesAndSaysWhatItIs() {
     Worker worker(small(), opening({}));
     MainWindow window(small(), &worker);
-    QSignalSpy finished(&window, &MainWindow::finished);
-    worker.command(SpeedCommand{Player::unlimited});
-    worker.command(StopAfterCommand{8});
-    window.openSource("fake");
-    QTRY_COMPARE(finished.count(), 1);
+    QVERIFY(playsEight(worker, window));
     QTRY_COMPARE(window.panes().barCaption->text(), QStringLiteral("PAUSED"));
     QCOMPARE(window.panes().player->positionText(), QStringLiteral("8 / 10"));
     // The wall is at 3 m, the load's back at 1.7 m.
@@ -106,11 +110,7 @@ class TestMainWindow : public QObject {
   void anotherSourceAndAnotherPlaceClearTheHistory() {
     Worker worker(small(), opening({}));
     MainWindow window(small(), &worker);
-    QSignalSpy finished(&window, &MainWindow::finished);
-    worker.command(SpeedCommand{Player::unlimited});
-    worker.command(StopAfterCommand{8});
-    window.openSource("fake");
-    QTRY_COMPARE(finished.count(), 1);
+    QVERIFY(playsEight(worker, window));
     const auto& moments = window.panes().history->history().moments();
     QTRY_VERIFY(!moments.empty());
     emit window.panes().player->seekRequested(2);

@@ -76,6 +76,7 @@ Track lostTrack(const cv::Mat&) { return Track::lost(); }
 class TestPipelineTool : public QObject {
   Q_OBJECT
  private slots:
+  void autoDetectsWhereAToolIsFollowedAndElseAsksTheScene();
   void withoutAToolEverythingIsAsItWas();
   void theToolIsTakenOutWhereItIsTracked();
   void withinTheLimitItIsTakenOutWhereItMustBe();
@@ -196,6 +197,29 @@ void TestPipelineTool::anOrderWaitsForAFrameThatCanBeUsed() {
   QVERIFY(chain.script->boxes.empty());
   chain.pipeline.process(stereoFrame(1, {320, 200}), chain.parameters);
   QCOMPARE(chain.script->boxes.size(), std::size_t(1));
+}
+
+/// The scene knows a load beside the boom; nothing hangs at the boom.
+void TestPipelineTool::autoDetectsWhereAToolIsFollowedAndElseAsksTheScene() {
+  const auto run = [](bool offersTool) {
+    Chain chain;
+    chain.parameters.load.source = LoadSource::Auto;
+    Result last;
+    for (int n = 0; n < 6; ++n) {
+      auto frame = std::make_shared<Frame>(*boomFrame(chain.sequence++));
+      frame->load = OrientedBox{{0.5, 0, 2.0}, {0.2, 0.2, 0.2}};
+      if (offersTool) frame->tool = box;
+      last = chain.pipeline.process(frame, chain.parameters);
+    }
+    return last;
+  };
+  const Result scene = run(false);
+  QVERIFY(scene.load && !scene.loadAge);
+  QCOMPARE(text(scene.clearance.state), text(ClearanceState::Measured));
+  const Result detected = run(true);
+  QVERIFY(detected.tool.running());
+  QVERIFY(!detected.load);
+  QCOMPARE(text(detected.clearance.reason), text(Reason::LoadNotSeen));
 }
 
 QTEST_GUILESS_MAIN(TestPipelineTool)

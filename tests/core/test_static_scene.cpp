@@ -92,6 +92,23 @@ class TestStaticScene : public QObject {
     QVERIFY((scene.toolBox->max - scene.toolBox->min - Eigen::Vector3d(0.2, 2.5, 0)).norm() < 0.1);
   }
 
+  void aJawBehindTheLoadGoesWithTheToolAndAStoneElsewhereDoesNot() {
+    // Both are as far from the tool and hang together with nothing; only one is at the load.
+    const Vector3f tool(0, 0.45F, 2);
+    const Points jaw = wall(-0.1F, 0.1F, 0.8F, 0.95F, 2.2F);
+    const Points stone = wall(0.5F, 0.65F, 0.4F, 0.6F, 2.2F);
+    const OrientedBox load{{0, 0.9, 2.0}, {1.0, 0.2, 0.2}};
+    const Cloud cloud = cloudOf({floorAt5, boomAt2, jaw, stone});
+    const StaticScene scene = separateStatic(cloud, tool, load, Parameters{});
+    QCOMPARE(scene.toolMask, ToolMask::Taken);
+    QVERIFY(countNear(scene.statics, 2.2F) > 10);
+    QVERIFY(countNear(scene.removed, 2.2F) > 10);
+    for (const Vector3f& p : scene.statics) QVERIFY(p.z() > 4.0F || p.x() > 0.4F);
+    // Without a load nothing says that the jaw is one.
+    const StaticScene empty = separateStatic(cloud, tool, {}, Parameters{});
+    QCOMPARE(countNear(empty.removed, 2.2F), std::size_t{0});
+  }
+
   void aStoneNearerThanTheBoomsCentreIsNotTakenForTheTool() {
     // The centre of the boom is 1.2 m from its end, that of the stone half a metre.
     const Points stone = wall(0.5F, 0.7F, 0.4F, 0.6F, 2.0F);

@@ -46,6 +46,8 @@ Track lostTrack(const cv::Mat&) { return Track::lost(); }
 class TestToolTracking : public QObject {
   Q_OBJECT
  private slots:
+  void whatTheSourceOffersIsTakenUpOnce();
+  void whatAPersonSaidIsNotOverruledByAnOffer();
   void idlesUntilItIsTold();
   void aClickStaysWhereItIs();
   void aBoxIsFollowedAndItsMiddleMeasured();
@@ -70,6 +72,28 @@ class TestToolTracking : public QObject {
   void theBoxEndsTheSearchToTheRight();
   void nearLooksPastTheGapBetweenTines();
 };
+
+void TestToolTracking::whatTheSourceOffersIsTakenUpOnce() {
+  Stage stage;
+  stage.tracking.offer(box, TrackerKind::Manual);
+  QVERIFY(!stage.tracking.needsImage());
+  stage.tracking.offer(std::nullopt, TrackerKind::Tld);
+  QVERIFY(!stage.tracking.needsImage());
+  stage.tracking.offer(box, TrackerKind::Tld);
+  QVERIFY(stage.frame().running());
+  stage.tracking.offer(cv::Rect2d(1, 1, 30, 30), TrackerKind::Tld);
+  stage.frame();
+  QCOMPARE(stage.script->boxes, std::vector<cv::Rect2d>{box});
+}
+
+void TestToolTracking::whatAPersonSaidIsNotOverruledByAnOffer() {
+  Stage stage;
+  stage.tracking.order(ForgetTool{});
+  stage.frame();
+  stage.tracking.offer(box, TrackerKind::Tld);
+  QVERIFY(!stage.frame().running());
+  QVERIFY(stage.script->boxes.empty());
+}
 
 void TestToolTracking::idlesUntilItIsTold() {
   Stage stage;

@@ -21,6 +21,7 @@ class TestDistanceBar : public QObject {
   void nothingInRangeNamesTheRange();
   void nothingOnTheRaysNamesTheirLength();
   void whatWasNeverSeenIsSaid();
+  void everythingThatIsWatchedIsListed();
   void theSizeNeverDependsOnTheNumber();
   void theLevelIsAnnounced();
   void aWorseLevelThatPassedUnseenIsShownOnce();
@@ -170,6 +171,31 @@ void TestDistanceBar::whatWasNeverSeenIsSaid() {
   result->clearance.observedShare = 1.0;
   bar.setDisplay(makeDisplay(result, {}));
   QVERIFY(!bar.hintText().contains("never seen"));
+}
+
+void TestDistanceBar::everythingThatIsWatchedIsListed() {
+  auto result = measured(1.0);
+  const auto watched = [&](WatchedObject object, int segment, double distance) {
+    Watched one{object, segment, {}, result->clearance};
+    one.clearance.nearest->distance = distance;
+    return one;
+  };
+  result->watched = {watched(WatchedObject::Load, 0, 1.0), watched(WatchedObject::Tool, 0, 1.25),
+                     watched(WatchedObject::Boom, 1, 4.5), watched(WatchedObject::Boom, 2, 3.5)};
+  result->watched.push_back({WatchedObject::Boom, 3, {}, Clearance::unknown(Reason::ToolNotSeen)});
+  DistanceBar bar;
+  bar.setDisplay(makeDisplay(result, {}));
+  // Below the number what leads and the nearest of each other kind, in the tooltip all.
+  for (const double distance : {1.25, 3.5}) QVERIFY(bar.hintText().contains(metresText(distance)));
+  QVERIFY(!bar.hintText().contains(metresText(4.5)));
+  for (const Watched& one : result->watched) {
+    QVERIFY2(bar.toolTip().contains(watchedDistance(one)), qPrintable(bar.toolTip()));
+  }
+  result = std::make_shared<Result>(*result);
+  result->leading = 3;
+  bar.setDisplay(makeDisplay(result, {}));
+  QVERIFY(bar.hintText().contains(watchedText(result->watched[3])));
+  QVERIFY(bar.hintText().contains(metresText(1.25)));
 }
 
 void TestDistanceBar::theSizeNeverDependsOnTheNumber() {
