@@ -258,12 +258,10 @@ QString DistanceBar::hintText() const {
   if (found) {
     const double error = found->quantisation + result.depthUncertainty.value_or(0.0);
     lines << leadText(result, *found);
-    QString certainty = QStringLiteral("\u00b1 ") + metresText(error);
+    lines << QStringLiteral("\u00b1 ") + metresText(error);
     if (const auto& evidence = result.clearance.evidence) {
-      const double percent = std::floor(evidence->confidence * 100.0);
-      certainty += QStringLiteral(", ") + tr("evidence %1 %").arg(percent);
+      lines << tr("evidence %1 %").arg(std::floor(evidence->confidence * 100.0));
     }
-    lines << certainty;
   } else {
     lines << nothingWithin();
   }
