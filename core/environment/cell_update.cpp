@@ -106,14 +106,16 @@ void Hysteresis::update(std::span<float> probabilities, std::span<std::uint8_t> 
       const float limit = before[k] != 0 ? replace : behind[k] != 0 ? leave : -1.0F;
       const bool replaced = updated <= limit;
       p[k] = replaced ? confirmed : updated < observedFloor ? 0.0F : updated;
-      taken[k] = replaced || hit[k] != 0 ? 0xFF : 0;
+      taken[k] = replaced || (hit[k] != 0 && level[k] == 0) ? 0xFF : 0;
       enters[k] = p[k] > enter ? 0xFF : 0;
       stays[k] = p[k] > leave ? 0xFF : 0;
     }
     for (std::size_t k = 0; k < count; ++k) {
       const auto measured = static_cast<std::uint8_t>(-near[k]);
       const std::uint8_t in = level[k] != 0 ? stays[k] : enters[k];
-      level[k] = in & (taken[k] != 0 ? measured : level[k]);
+      const auto step = static_cast<std::uint8_t>((measured > level[k]) - (measured < level[k]));
+      const auto moved = static_cast<std::uint8_t>(level[k] + (hit[k] & step));
+      level[k] = in & (taken[k] != 0 ? measured : moved);
       near[k] = 0;
     }
   }

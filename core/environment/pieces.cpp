@@ -132,11 +132,13 @@ std::optional<Evidence> Pieces::evidenceAt(const Eigen::Vector3d& onEnvironment)
   return m_pieces[static_cast<std::size_t>(label)];
 }
 
-std::vector<std::size_t> Pieces::smallerThan(double extent) const {
+std::vector<std::size_t> Pieces::doubtful(const Limits& limits) const {
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none) continue;
-    if (m_pieces[static_cast<std::size_t>(m_labels[k])].extent < extent) cells.push_back(k);
+    const Evidence& piece = m_pieces[static_cast<std::size_t>(m_labels[k])];
+    const bool certain = piece.extent >= limits.doubtful || piece.probability >= limits.certain;
+    if (piece.extent < limits.smallest || !certain) cells.push_back(k);
   }
   return cells;
 }

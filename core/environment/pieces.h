@@ -25,8 +25,14 @@ class Pieces {
   /// confidence; absent where nothing is occupied.
   std::optional<Evidence> evidenceAt(const Eigen::Vector3d& onEnvironment) const;
 
-  /// Indices of the cells whose piece has a smaller diagonal than `extent` metres, ascending.
-  std::vector<std::size_t> smallerThan(double extent) const;
+  /// Of which pieces the cells are not to count.
+  struct Limits {
+    double smallest = 0.0;  ///< metres: diagonal below which none does
+    double doubtful = 0.0;  ///< metres: diagonal below which only those do that are `certain`
+    double certain = 0.0;   ///< mean probability
+  };
+  /// Indices of the cells that do not count, ascending.
+  std::vector<std::size_t> doubtful(const Limits& limits) const;
 
  private:
   static constexpr std::int32_t none = -1;

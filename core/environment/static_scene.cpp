@@ -31,20 +31,23 @@ void crop(const Cloud& cloud, const Bounds& bounds, ModelProjection projection, 
 }
 
 /// Where a piece of the tool may be that does not hang together with its cluster, as a grapple's
-/// jaw does not that is seen behind the load: in the tool's own size, or as far away as its
-/// diameter where that is close to the load. Nothing is so near to the load and not yet touched,
-/// but what hangs together with larger things.
+/// jaw does not that is seen behind the load: in the tool's own size, or somewhat farther than its
+/// diameter where that is close to the load (the tool point lies on what is seen of the tool, not
+/// in its middle). Nothing is so near to the load and not yet touched, but what hangs together with
+/// larger things. The load's own points say nothing about what hangs together with them.
 struct HangsAtTool {
   Vector3f tool;
   double size;  ///< diameter of the tool
   std::optional<OrientedBox> load;
 
   bool operator()(const Vector3f& p) const {
-    constexpr double closeToLoad = 0.3;
+    constexpr double closeToLoad = 0.3, beyond = 1.3;
     const double away = (p - tool).cast<double>().norm();
     if (away <= size / 2) return true;
+    if (!load) return false;
     const Eigen::Vector3d point = p.cast<double>();
-    return away <= size && load && (load->nearestTo(point) - point).norm() <= closeToLoad;
+    const double toLoad = (load->nearestTo(point) - point).norm();
+    return toLoad == 0.0 || (away <= beyond * size && toLoad <= closeToLoad);
   }
 };
 

@@ -17,7 +17,7 @@ constexpr double depthNoise = 0.2;  // pixels of disparity, as demo:yard,as=dept
 constexpr double seenShare = 0.25;  // of the tool: the least that a tracker could follow
 
 PinholeCamera cameraOf(const Frame& frame) {
-  return {frame.left.cols, frame.left.rows, frame.rig->leftMatrix(0, 0)};
+  return {frame.left.cols, frame.left.rows, PinholeCamera{}.focal};
 }
 
 bool hasItsPlace(YardKind kind) { return kind != YardKind::Nothing && !moves(kind); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environment/depth_noise.h"
 #include "simulation/yard/yard_truth.h"
 
 namespace boomwatch {
@@ -13,7 +14,7 @@ bool isCrane(YardKind kind) {
 
 StaticScene withoutCrane(const Frame& frame, const Parameters& parameters) {
   const cv::Mat& kinds = frame.truth->yard->kind;
-  Cloud rest = *frame.cloud;
+  Cloud rest = *withoutDepthNoise(frame.cloud, parameters.filter.depthSmooth);
   Points crane;
   for (int v = 0; v < kinds.rows; ++v) {
     for (int u = 0; u < kinds.cols; ++u) {

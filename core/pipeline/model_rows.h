@@ -106,6 +106,13 @@ inline constexpr auto modelRows = std::to_array<ParameterInfo>({
          TR("What is smaller from corner to corner is drawn but does not count; 0 counts all"),
          "m"},
         {0, 10, 0.05}),
+    row<&P::clearance, &C::doubtfulThing>(
+        "doubtful_thing",
+        {TR("Clearance"), TR("Doubtful thing"),
+         TR("What is smaller from corner to corner counts only once it has been seen in nearly "
+            "every frame for a while (falling leaves are not); 0: all counts at once"),
+         "m"},
+        {0, 10, 0.05}),
     row<&P::watch, &A::load>("watch_load",
                              {TR("Watched"), TR("Load"), TR("Watch the distance from the load")}),
     row<&P::watch, &A::tool>("watch_tool", {TR("Watched"), TR("Tool"),

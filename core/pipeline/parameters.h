@@ -54,6 +54,9 @@ struct FilterParameters {
   double lowPassRadius = 0.1;      ///< radius: how far a neighbour may be
   int lowPassMinimum = 3;          ///< radius: neighbours a point must have
   double clusterTolerance = 0.1;
+  /// Pixels: width of the neighbourhood over which the depth of a cloud that comes as one (not from
+  /// our own matching, which has its own) is smoothed as far as it is noisy; below 3 it is not.
+  int depthSmooth = 5;
   int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are noise
 };
 
@@ -86,6 +89,9 @@ struct ClearanceParameters {
   /// Metres: pieces of the model that are smaller from corner to corner are drawn, but do not
   /// count.
   double smallestThing = 0.1;
+  /// Metres: pieces that are smaller than this count only when they are as good as certain; see
+  /// Pieces::doubtful. A falling leaf is in no cell for so long.
+  double doubtfulThing = 0.4;
 };
 
 /// From what the distance is watched; the smallest leads.

@@ -6,6 +6,7 @@
 
 #include "collision/nearest_pair.h"
 #include "environment/crane_boxes.h"
+#include "environment/depth_noise.h"
 #include "frame/error.h"
 #include "load/load_detector.h"
 #include "load/load_follower.h"
@@ -149,6 +150,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
       return false;
     }
     looking = look(result);
+    result.cloud = withoutDepthNoise(frame.cloud, result.parameters.filter.depthSmooth);
     return true;
   }
   try {

@@ -44,7 +44,8 @@ struct Result {
   Clearance clearance;           ///< of what leads or, where nothing is known, the reason
   std::vector<Watched> watched;  ///< all that is watched, the load first; empty if nothing is known
   std::size_t leading = 0;       ///< index into `watched` of the one that `clearance` is taken from
-  /// Indices of the model's cells that are occupied but too small to count (smallest_thing).
+  /// Indices of the model's cells that are occupied but do not count (smallest_thing,
+  /// doubtful_thing).
   std::vector<std::size_t> suppressed;
   /// How the load moves; absent until it was seen for long enough, and without a distance.
   std::optional<Approach> approach;

@@ -129,6 +129,13 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
         "cluster_tolerance",
         {TR("Filter"), TR("Cluster tolerance"), TR("Points nearer than this belong together"), "m"},
         {0.001, 10, 0.01}),
+    row<&P::filter, &F::depthSmooth>(
+        "depth_smooth",
+        {TR("Filter"), TR("Smooth depth"),
+         TR("Width of the neighbourhood over which noisy depth of a depth camera or a recorded "
+            "cloud is averaged; below 3 it is taken as it is"),
+         "pixels"},
+        {0, 31, 2}),
     row<&P::filter, &F::clusterMinimum>(
         "cluster_minimum",
         {TR("Filter"), TR("Cluster minimum"), TR("Smaller clusters are noise and go"), "points"},

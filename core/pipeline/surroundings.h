@@ -25,7 +25,8 @@ class Surroundings {
   void forget() { m_exists = false; }
 
   const EnvironmentModel& model() const { return m_model; }
-  /// Indices of the cells that are occupied but too small to count (smallest_thing), ascending.
+  /// Indices of the cells that are occupied but do not count (smallest_thing, doubtful_thing),
+  /// ascending.
   std::span<const std::size_t> suppressed() const { return m_suppressed; }
 
   /// The distance from a box to what is around it, with what stands behind it and how much of the

@@ -139,8 +139,12 @@ class TestCellUpdate : public QObject {
     // A thin thing that is missed in one frame of five enters, and stays.
     QVERIFY(framesUntilLevel(200, 100, {leaf, leaf, leaf, ground, leaf}) > 0);
     QCOMPARE(framesUntilLevel(100, 200, {leaf, leaf, leaf, leaf, ground}), -1);
-    // Noise does not count as another surface, and what comes nearer step by step is followed.
-    QCOMPARE(framesUntilLevel(200, 193, {{at(193)}}), 1);
+    // Noise does not count as another surface; what is a little nearer is followed by a level a
+    // frame, and so a leaf that falls past right before a wall does not come near.
+    QCOMPARE(framesUntilLevel(200, 193, {{at(193)}}), 6);
+    QCOMPARE(framesUntilLevel(193, 200, {{at(200)}}), 6);
+    const Points close{at(193)};
+    QCOMPARE(framesUntilLevel(200, 193, {close, close, close, ground, ground, ground}), -1);
   }
 
   void logOddsEnterAndLeaveAsTheirClampsSay() {

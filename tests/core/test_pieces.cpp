@@ -53,6 +53,7 @@ class TestPieces : public QObject {
   void aLoneCellCountsLessThanTheGround();
   void aStepInDepthParts();
   void whatIsSmallIsNamed();
+  void whatIsNotLargeMustBeCertain();
   void nothingIsBehindAFreeCell();
 };
 
@@ -118,9 +119,21 @@ void TestPieces::whatIsSmallIsNamed() {
   for (int i = 10; i < 14; ++i) scenes::occupy(model, i, 4, 2.0);  // 20 cm x 5 cm
   Pieces pieces;
   pieces.rebuild(model, 0.1);
-  QVERIFY(pieces.smallerThan(0.05).empty());
-  QCOMPARE(pieces.smallerThan(0.1), std::vector<std::size_t>{grid.index(3, 4)});
-  QCOMPARE(pieces.smallerThan(0.21).size(), std::size_t{5});
+  QVERIFY(pieces.doubtful({.smallest = 0.05}).empty());
+  QCOMPARE(pieces.doubtful({.smallest = 0.1}), std::vector<std::size_t>{grid.index(3, 4)});
+  QCOMPARE(pieces.doubtful({.smallest = 0.21}).size(), std::size_t{5});
+}
+
+void TestPieces::whatIsNotLargeMustBeCertain() {
+  EnvironmentModel model(grid);
+  for (int i = 10; i < 14; ++i) scenes::occupy(model, i, 4, 2.0);  // 20 cm x 5 cm
+  for (int i = 10; i < 30; ++i) scenes::occupy(model, i, 8, 2.0);  // 1 m
+  Pieces pieces;
+  pieces.rebuild(model, 0.1);
+  const double p = at(pieces, 10, 4, 2.0).probability;
+  QVERIFY(pieces.doubtful({.doubtful = 0.4, .certain = p - 0.01}).empty());
+  QCOMPARE(pieces.doubtful({.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{4});
+  QVERIFY(pieces.doubtful({.doubtful = 0.1, .certain = p + 0.01}).empty());
 }
 
 void TestPieces::nothingIsBehindAFreeCell() {

@@ -1,0 +1,102 @@
+#include "environment/depth_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace boomwatch {
+namespace {
+
+/// Below this (9 mm at 10 m) there is nothing to take out.
+constexpr double noNoise = 9e-5;
+
+bool isOrganised(const Cloud& cloud) { return cloud.width > 2 && cloud.height > 1; }
+
+/// 1/z; NaN where nothing was measured.
+cv::Mat inverseDepths(const Cloud& cloud) {
+  cv::Mat inverse(cloud.height, cloud.width, CV_32FC1);
+  for (int v = 0; v < inverse.rows; ++v) {
+    auto* const row = inverse.ptr<float>(v);
+    for (int u = 0; u < inverse.cols; ++u) {
+      const float z = cloud.at(u, v).z();
+      row[u] = z > 0.0F ? 1.0F / z : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return inverse;
+}
+
+std::optional<double> noiseOf(const cv::Mat& inverse) {
+  constexpr int rowsApart = 5;
+  constexpr std::size_t enough = 500;
+  std::vector<float> differences;
+  for (int v = 0; v < inverse.rows; v += rowsApart) {
+    const auto* const row = inverse.ptr<float>(v);
+    for (int u = 1; u + 1 < inverse.cols; u += 2) {
+      const float second = std::abs(row[u - 1] - 2.0F * row[u] + row[u + 1]);
+      if (!std::isnan(second)) differences.push_back(second);
+    }
+  }
+  if (differences.size() < enough) return std::nullopt;
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  // A normal variable's median size is 0.6745 of its deviation; 1, -2, 1 has that of the square
+  // root of 6.
+  return static_cast<double>(*middle) / (0.6745 * std::sqrt(6.0));
+}
+
+/// The mean of a row's pixels and of those around them that are less than `alike` apart.
+void smoothRow(const cv::Mat& inverse, int v, int reach, float alike, std::vector<float>& sums,
+               std::vector<float>& counts) {
+  const auto* const centre = inverse.ptr<float>(v);
+  std::fill(sums.begin(), sums.end(), 0.0F);
+  std::fill(counts.begin(), counts.end(), 0.0F);
+  for (int dv = -reach; dv <= reach; ++dv) {
+    if (v + dv < 0 || v + dv >= inverse.rows) continue;
+    const auto* const other = inverse.ptr<float>(v + dv);
+    for (int du = -reach; du <= reach; ++du) {
+      const int begin = std::max(0, -du), end = std::min(inverse.cols, inverse.cols - du);
+      float* const sum = sums.data();
+      float* const count = counts.data();
+      for (int u = begin; u < end; ++u) {
+        const float there = other[u + du];
+        const bool same = std::abs(there - centre[u]) < alike;  // not if either is NaN
+        sum[u] += same ? there : 0.0F;
+        count[u] += same ? 1.0F : 0.0F;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<double> depthNoise(const Cloud& cloud) {
+  if (!isOrganised(cloud)) return std::nullopt;
+  return noiseOf(inverseDepths(cloud));
+}
+
+std::shared_ptr<const Cloud> withoutDepthNoise(const std::shared_ptr<const Cloud>& cloud,
+                                               int window) {
+  if (!isOrganised(*cloud) || window < 3) return cloud;
+  const cv::Mat inverse = inverseDepths(*cloud);
+  const auto noise = noiseOf(inverse);
+  if (!noise || *noise < noNoise) return cloud;
+  // Two points of one surface differ by the root of 2 of the noise; four times that hardly ever.
+  const auto alike = static_cast<float>(4.0 * std::sqrt(2.0) * *noise);
+  auto smooth = std::make_shared<Cloud>(*cloud);
+  cv::parallel_for_({0, inverse.rows}, [&](const cv::Range& rows) {
+    std::vector<float> sums(static_cast<std::size_t>(inverse.cols)), counts(sums.size());
+    for (int v = rows.start; v < rows.end; ++v) {
+      smoothRow(inverse, v, window / 2, alike, sums, counts);
+      const auto* const centre = inverse.ptr<float>(v);
+      auto* const points = &smooth->points[static_cast<std::size_t>(v) * sums.size()];
+      for (std::size_t u = 0; u < sums.size(); ++u) {
+        if (counts[u] > 0.0F) points[u] *= centre[u] * counts[u] / sums[u];
+      }
+    }
+  });
+  return smooth;
+}
+
+}  // namespace boomwatch
