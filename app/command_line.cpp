@@ -27,6 +27,10 @@ void addExperimentOptions(const Add& option) {
       tr("Instead of all this, repeat the thesis's experiments and run the chain on random yards "
          "against truth; the report goes into the folder --output; --frames of each yard"));
   option("sequences", "N", tr("With --experiments: how many random yards, 50 by default"));
+  option("hours", "H",
+         tr("With --experiments: simulated hours in which alarms are counted, 1 by default"));
+  option("only", "NAME,...",
+         tr("With --experiments: only those named, as the progress names them"));
   option("tracking", "PATH",
          tr("With --experiments: a sequence with ground truth, or a folder of such"));
   option("bench", "FILE",
@@ -184,6 +188,14 @@ void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
   line.evaluationFolders = words;
 }
 
+double hoursOf(const QString& text) {
+  bool isNumber = false;
+  const double hours = text.toDouble(&isNumber);
+  if (isNumber && hours > 0.0 && hours <= 1000.0) return hours;
+  throw Error("--hours", "'" + text.toStdString() + "' is not a number above 0, 1000 at most",
+              "Write --hours 1.");
+}
+
 void readExperiments(CommandLine& line, const QCommandLineParser& parser) {
   line.experiments = parser.isSet(QStringLiteral("experiments"));
   line.tracking = parser.value(QStringLiteral("tracking"));
@@ -192,7 +204,11 @@ void readExperiments(CommandLine& line, const QCommandLineParser& parser) {
     line.sequences = static_cast<std::size_t>(
         wholeNumber(QStringLiteral("--sequences"), parser.value(QStringLiteral("sequences")), 1));
   }
-  for (const char* name : {"sequences", "tracking", "bench"}) {
+  line.only = parser.value(QStringLiteral("only"));
+  if (parser.isSet(QStringLiteral("hours"))) {
+    line.hours = hoursOf(parser.value(QStringLiteral("hours")));
+  }
+  for (const char* name : {"sequences", "hours", "only", "tracking", "bench"}) {
     if (line.experiments || !parser.isSet(QLatin1String(name))) continue;
     throw Error("--" + std::string(name), "it belongs to --experiments",
                 "Add that, or leave it out.");

@@ -36,6 +36,8 @@ struct CommandLine {
   QString tracking;  ///< with experiments: sequences with ground truth; empty: none
   QString bench;     ///< with experiments: JSON of the benchmarks; empty: none
   std::optional<std::size_t> sequences;  ///< with experiments: random yards
+  std::optional<double> hours;           ///< with experiments: of simulated work
+  QString only;                          ///< with experiments: names of some; empty: all
   bool help = false;
   bool version = false;
 };

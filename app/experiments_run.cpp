@@ -54,10 +54,28 @@ ExperimentSetup setupOf(const CommandLine& line) {
   setup.parameters = line.parameters;
   setup.sequences = line.sequences.value_or(setup.sequences);
   setup.frames = line.frames;
+  setup.hours = line.hours.value_or(setup.hours);
   requireYards(setup);
   if (!line.bench.isEmpty()) setup.bench = benchIn(line.bench);
   if (!line.tracking.isEmpty()) setup.recordings = trackingSequencesIn(line.tracking.toStdString());
   return setup;
+}
+
+/// All, or those that --only names, in the order of the report.
+std::vector<Experiment> chosen(const QString& only) {
+  if (only.isEmpty()) return experiments();
+  QStringList names = only.split(QLatin1Char(','));
+  for (QString& name : names) name = name.trimmed();
+  std::vector<Experiment> some;
+  std::string known;
+  for (const Experiment& one : experiments()) {
+    known.append(known.empty() ? "" : ", ").append(one.name);
+    const auto name = QString::fromUtf8(one.name.data(), static_cast<qsizetype>(one.name.size()));
+    if (names.removeAll(name) > 0) some.push_back(one);
+  }
+  if (names.isEmpty()) return some;
+  throw Error("--only", "there is no experiment '" + names.constFirst().toStdString() + "'",
+              "There are: " + known + ".");
 }
 
 /// What differs from the defaults, as --set takes it.
@@ -117,9 +135,9 @@ class ProgressLine {
 };
 
 /// False when it was stopped.
-bool writeChapters(ReportWriter& writer, const ExperimentSetup& setup) {
+bool writeChapters(ReportWriter& writer, const ExperimentSetup& setup,
+                   const std::vector<Experiment>& all) {
   ProgressLine line;
-  const auto& all = experiments();
   for (std::size_t k = 0; k < all.size(); ++k) {
     line.begin(k, all.size(), all[k].name);
     const auto chapter = all[k].run(setup, [&](double share) { return line.say(share); });
@@ -134,13 +152,14 @@ bool writeChapters(ReportWriter& writer, const ExperimentSetup& setup) {
 
 int runExperiments(const CommandLine& line, const std::string& version) {
   const ExperimentSetup setup = setupOf(line);
+  const std::vector<Experiment> wanted = chosen(line.only);
   const std::filesystem::path target = emptyFolder(line.output.toStdString());
   PartialFolder folder(target);
   const InterruptWatch watch;
   cv::setNumThreads(threads);
   ReportWriter writer(folder, "Experiments");
   writer.add(introduction(setup, version));
-  if (!writeChapters(writer, setup)) {
+  if (!writeChapters(writer, setup, wanted)) {
     std::fprintf(stderr, "\nboomwatch: stopped; nothing is left of %s\n", target.c_str());
     return 1;
   }

@@ -1,37 +1,9 @@
 #include "experiments/chain_experiment.h"
 
-#include <stdexcept>
-
-#include "experiments/chain_tables.h"
-#include "simulation/demo_source.h"
+#include "experiments/yard_runs.h"
 
 namespace boomwatch {
 namespace {
-
-/// All stages over one yard; false when the progress said no.
-bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentProgress& progress,
-             std::vector<ChainRun>& runs) {
-  const std::string demo = "yard,path=random,seed=" + std::to_string(seed) +
-                           ",frames=" + std::to_string(setup.framesOfAYard());
-  const auto source = openDemoSource(demo, "demo:" + demo);
-  std::vector<std::unique_ptr<ChainStage>> stages;
-  for (const ChainKind kind : chainKinds) {
-    stages.push_back(std::make_unique<ChainStage>(kind, setup.parameters, seed));
-  }
-  FramePtr before;
-  for (std::size_t k = 0; k < setup.framesOfAYard(); ++k) {
-    const FramePtr frame = source->next({}).frame;
-    if (!frame) throw std::runtime_error("demo:" + demo + ": there is no frame");
-    const ChainFrame truth = truthOf(*frame, before.get());
-    for (const auto& stage : stages) stage->process(frame, truth);
-    before = frame;
-    if (!progress(static_cast<double>(k + 1) / static_cast<double>(setup.framesOfAYard()))) {
-      return false;
-    }
-  }
-  for (const auto& stage : stages) runs.push_back({stage->kind(), seed, stage->frames()});
-  return true;
-}
 
 std::string definitions(const ExperimentSetup& setup) {
   const WarningParameters& warning = setup.parameters.warning;
@@ -66,13 +38,11 @@ std::string definitions(const ExperimentSetup& setup) {
 
 std::optional<Chapter> runChainExperiment(const ExperimentSetup& setup,
                                           const ExperimentProgress& progress) {
-  std::vector<ChainRun> runs;
-  for (std::size_t k = 0; k < setup.sequences; ++k) {
-    const auto part = [&](double share) {
-      return progress((static_cast<double>(k) + share) / static_cast<double>(setup.sequences));
-    };
-    if (!runYard(setup.firstSeed + k, setup, part, runs)) return std::nullopt;
-  }
+  YardPlan plan{setup.firstSeed, setup.sequences, setup.framesOfAYard(), {}};
+  for (const ChainKind kind : chainKinds) plan.stages.push_back({kind, setup.parameters});
+  const auto done = runYards(plan, progress);
+  if (!done) return std::nullopt;
+  const std::vector<ChainRun>& runs = *done;
   const WarningParameters& warning = setup.parameters.warning;
   Chapter chapter{"The whole chain on random yards", {}};
   chapter.items.emplace_back(definitions(setup));

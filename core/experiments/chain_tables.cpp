@@ -18,6 +18,15 @@ constexpr std::array bands{Band{0.0, 0.5, "0 .. 0.5"}, Band{0.5, 1.0, "0.5 .. 1"
                            Band{1.0, 2.0, "1 .. 2"}, Band{2.0, 4.0, "2 .. 4"},
                            Band{0.0, 1e9, "all"}};
 
+/// In the order of the stages.
+std::vector<ChainKind> kindsIn(std::span<const ChainRun> runs) {
+  std::vector<ChainKind> kinds;
+  std::ranges::copy_if(chainKinds, std::back_inserter(kinds), [&](ChainKind kind) {
+    return std::ranges::any_of(runs, [&](const ChainRun& run) { return run.kind == kind; });
+  });
+  return kinds;
+}
+
 std::string text(std::string_view view) { return std::string(view); }
 std::string kindText(YardKind kind) {
   return kind == YardKind::Nothing ? "nothing" : text(toString(kind));
@@ -104,7 +113,7 @@ Table chainErrors(std::span<const ChainRun> runs, bool againstSeen) {
                "> 10 cm too far (%)", "> 10 cm too near (%)"},
               {},
               2};
-  for (const ChainKind kind : chainKinds) {
+  for (const ChainKind kind : kindsIn(runs)) {
     for (const Band& band : bands) {
       const std::vector<double> errors = errorsOf(runs, kind, band, againstSeen);
       std::vector<double> sizes, opposite;
@@ -130,7 +139,7 @@ Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warni
                "of these less than 0.25 m outside it", "false an hour"},
               {},
               1};
-  for (const ChainKind kind : chainKinds) {
+  for (const ChainKind kind : kindsIn(runs)) {
     std::size_t approaches = 0, missed = 0, silent = 0, barely = 0, wrong = 0, nearby = 0;
     for (const ChainRun& run : runs) {
       if (run.kind != kind) continue;
@@ -169,7 +178,7 @@ Table chainFaults(std::span<const ChainRun> runs, const WarningParameters& warni
                "nearest (m)", "nearest seen (m)", "reported (m)"},
               {},
               4};
-  for (const ChainKind kind : chainKinds) {
+  for (const ChainKind kind : kindsIn(runs)) {
     for (const ChainRun& run : runs) {
       if (run.kind != kind) continue;
       for (const auto& fault : missedAlarms(run.frames, warning)) {
@@ -191,7 +200,7 @@ Table chainReasons(std::span<const ChainRun> runs) {
               {"stage", "reason", "frames (%)"},
               {},
               2};
-  for (const ChainKind kind : chainKinds) {
+  for (const ChainKind kind : kindsIn(runs)) {
     std::map<Reason, std::size_t> counts;
     std::size_t all = 0;
     for (const ChainRun& run : runs) {

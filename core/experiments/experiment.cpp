@@ -3,7 +3,9 @@
 #include "experiments/chain_experiment.h"
 #include "experiments/entry_experiment.h"
 #include "experiments/gap_experiment.h"
+#include "experiments/hour_experiment.h"
 #include "experiments/passing_experiment.h"
+#include "experiments/projection_experiment.h"
 #include "experiments/search_experiment.h"
 #include "experiments/simulator_experiment.h"
 #include "experiments/tracking_experiment.h"
@@ -22,7 +24,9 @@ const std::vector<Experiment>& experiments() {
       {"search", runSearchExperiment},
       {"simulator", runSimulatorExperiment},
       {"update rules", runUpdateRulesExperiment},
+      {"projections", runProjectionExperiment},
       {"the whole chain", runChainExperiment},
+      {"an hour of work", runHourExperiment},
   };
   return all;
 }

@@ -28,6 +28,7 @@ struct ExperimentSetup {
   std::vector<BenchFigure> bench;                 ///< empty: no benchmark was run
   std::size_t sequences = 50;                     ///< random yards
   std::optional<std::size_t> frames;              ///< of each sequence; absent: yardFrames, all
+  double hours = 1.0;                             ///< of simulated work, for its alarms
   std::uint64_t firstSeed = 1;                    ///< the yards have this seed and those after it
 
   static constexpr std::size_t yardFrames = 200;

@@ -51,11 +51,11 @@ class TestExperiments : public QObject {
     write(path("one/groundtruth_rect.txt"), boomwatch::test::sizeLines(6));
     write(path("bench.json"),
           R"([{"name": "octomap_insertion_4cm", "value": 2345.6, "unit": "ms", "bar": "-"}])");
-    const Run result =
-        run({"--sequences", "1", "--frames", "14", "--output", path("new/report"), "--tracking",
-             path("one"), "--bench", path("bench.json"), "--set", "probtresh=0.45"});
+    const Run result = run({"--sequences", "1", "--frames", "14", "--hours", "0.0003", "--output",
+                            path("new/report"), "--tracking", path("one"), "--bench",
+                            path("bench.json"), "--set", "probtresh=0.45"});
     QVERIFY2(result.exitCode == 0, result.errors.constData());
-    QVERIFY(result.errors.contains("experiment 9 of 9, the whole chain: 100 %"));
+    QVERIFY(result.errors.contains("experiment 11 of 11, an hour of work: 100 %"));
     const QByteArray report = contents(path("new/report/report.md"));
     QVERIFY(report.contains("2346 ms"));
     QVERIFY(report.contains("`probtresh=0.45`"));
@@ -74,6 +74,15 @@ class TestExperiments : public QObject {
     QVERIFY2(links >= 25, qPrintable(QString::number(links)));
     QCOMPARE(QDir(path("new")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
              QStringList{"report"});
+  }
+
+  void onlyWhatIsNamed() {
+    const Run result = run({"--only", "gap, frames to enter", "--output", path("report")});
+    QVERIFY2(result.exitCode == 0, result.errors.constData());
+    QVERIFY(result.errors.contains("experiment 2 of 2, gap: 100 %"));
+    const QByteArray report = contents(path("report/report.md"));
+    QVERIFY(report.contains("Fig. 17") && report.contains("Eq. 2"));
+    QVERIFY(!report.contains("Table 6"));
   }
 
   void anInterruptLeavesNothing() {
@@ -123,6 +132,9 @@ class TestExperiments : public QObject {
     row("too many yards", output + QStringList{"--sequences", "1000000"}, "0..999999");
     row("yards too long", output + QStringList{"--frames", "12001"}, "1..12000");
     row("no recordings", output + QStringList{"--tracking", "FOLDER/absent"}, "absent");
+    row("no hours", output + QStringList{"--hours", "0"}, "--hours");
+    row("hours that are none", output + QStringList{"--hours", "nan"}, "--hours");
+    row("no such experiment", output + QStringList{"--only", "gap,nothing"}, "'nothing'");
     row("no benchmarks", output + QStringList{"--bench", "FOLDER/absent.json"}, "absent.json");
     row("other benchmarks", output + QStringList{"--bench", "FOLDER/file"}, "no figures");
   }

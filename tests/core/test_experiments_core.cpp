@@ -6,10 +6,13 @@
 #include "experiments/chain_stage.h"
 #include "experiments/entry_experiment.h"
 #include "experiments/gap_experiment.h"
+#include "experiments/hour_experiment.h"
 #include "experiments/passing_experiment.h"
+#include "experiments/projection_experiment.h"
 #include "experiments/search_experiment.h"
 #include "experiments/simulator_experiment.h"
 #include "experiments/update_rules_experiment.h"
+#include "experiments/yard_runs.h"
 #include "simulation/yard/depth_cloud.h"
 #include "simulation/yard/sensor.h"
 #include "yard_frames.h"
@@ -183,6 +186,46 @@ class TestExperimentsCore : public QObject {
     QCOMPARE(frames.rows.size(), chainKinds.size() * 14);
     QVERIFY(frames.rows == tableOf(*second, "chain_frames").rows);
     QCOMPARE(tableOf(*first, "chain_alarms").rows.size(), chainKinds.size());
+  }
+
+  // Two yards at a time: the outcome is in order, and that of each yard by itself.
+  void yardsDoNotDisturbEachOther() {
+    YardPlan plan{3, 3, 8, {{ChainKind::NoisyDepth, {}}, {ChainKind::MaskedCloud, {}}}};
+    const auto runs = runYards(plan, always);
+    QCOMPARE(runs->size(), std::size_t{6});
+    for (std::size_t k = 0; k < runs->size(); ++k) {
+      QCOMPARE((*runs)[k].seed, 3 + k / 2);
+      QVERIFY((*runs)[k].kind == plan.stages[k % 2].kind);
+      QCOMPARE((*runs)[k].frames.size(), std::size_t{8});
+    }
+    plan.firstSeed = 5;
+    plan.yards = 1;
+    const auto alone = runYards(plan, always);
+    for (std::size_t k = 0; k < 2; ++k) {
+      QVERIFY(chainFrames(std::span(*alone).subspan(k, 1)).rows ==
+              chainFrames(std::span(*runs).subspan(4 + k, 1)).rows);
+    }
+  }
+
+  void anHourIsAsLongAsItIsSaidToBe() {
+    ExperimentSetup setup = little();
+    setup.hours = 30.0 / 20.0 / 3600.0;
+    const auto chapter = runHourExperiment(setup, always);
+    QCOMPARE(tableOf(*chapter, "hour_chain_frames").rows.size(), std::size_t{2 * 30});
+    const Table alarms = tableOf(*chapter, "hour_chain_alarms");
+    QCOMPARE(alarms.rows.size(), std::size_t{2});
+    QCOMPARE(cell(alarms, "truth cloud", "missed"), std::string("0"));
+    QCOMPARE(cell(alarms, "noisy depth", "missed"), std::string("0"));
+  }
+
+  void bothProjectionsAreMeasuredAgainstTruth() {
+    const auto chapter = runProjectionExperiment(little(), always);
+    const Table table = tableOf(*chapter, "projections");
+    QCOMPARE(table.rows.size(), std::size_t{4});
+    for (const Cells& row : table.rows) {
+      QVERIFY(std::stod(row[2]) > 50.0);
+      QVERIFY2(std::stod(row[4]) < 0.2, row[4].c_str());
+    }
   }
 
   void everyExperimentStopsWhenItIsTold() {
