@@ -845,6 +845,22 @@
         <source>auto: detected where a tool is followed, else what the source knows; scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
         <translation>auto: erkannt, wo ein Werkzeug verfolgt wird, sonst was die Quelle weiß; scene: nur, was die Quelle selbst weiß; manual: die Werte unten; detected: in jedem Bild am Werkzeug gefunden</translation>
     </message>
+    <message>
+        <source>Doubtful thing</source>
+        <translation>Zweifelhaftes</translation>
+    </message>
+    <message>
+        <source>What is smaller from corner to corner counts only once it has been seen in nearly every frame for a while (falling leaves are not); 0: all counts at once</source>
+        <translation>Was von Ecke zu Ecke kleiner ist, zählt erst, wenn es eine Weile in fast jedem Bild zu sehen war (fallende Blätter sind das nicht); 0: alles zählt sofort</translation>
+    </message>
+    <message>
+        <source>Smooth depth</source>
+        <translation>Tiefe glätten</translation>
+    </message>
+    <message>
+        <source>Width of the neighbourhood over which noisy depth of a depth camera or a recorded cloud is averaged; below 3 it is taken as it is</source>
+        <translation>Breite der Nachbarschaft, über die verrauschte Tiefe einer Tiefenkamera oder einer aufgezeichneten Punktwolke gemittelt wird; unter 3 bleibt sie, wie sie ist</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>

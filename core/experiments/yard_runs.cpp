@@ -33,7 +33,7 @@ std::vector<ChainRun> runYard(std::uint64_t seed, Work& work) {
   // A pair of pictures takes twice as long to paint.
   const std::string demo = "yard,path=random,seed=" + std::to_string(seed) +
                            ",frames=" + std::to_string(plan.frames) +
-                           (needsPictures(plan) ? "" : ",as=depth");
+                           (needsPictures(plan) ? "" : ",as=cloud");
   const auto source = openDemoSource(demo, "demo:" + demo);
   std::vector<std::unique_ptr<ChainStage>> stages;
   for (const auto& stage : plan.stages) {
