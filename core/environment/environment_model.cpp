@@ -5,6 +5,13 @@
 #include "environment/cell_update.h"
 
 namespace boomwatch {
+namespace {
+
+/// Of probtresh: a surface below it was missed at least twice before it was hidden. It is on its
+/// way out and goes on, or what is left of the load where it has passed would stay for good.
+constexpr double waning = 0.6;
+
+}  // namespace
 
 EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
     : m_geometry(geometry),
@@ -27,7 +34,11 @@ void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
 void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
                                   const ModelParameters& parameters) {
   projectRows(begin, end, evidence.points);
-  const std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence);
+  std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence);
+  std::erase_if(
+      hidden, [least = static_cast<float>(waning * parameters.probtresh)](const HiddenCell& cell) {
+        return cell.level > 0 && cell.probability < least;
+      });
   const std::size_t first = m_geometry.index(0, begin);
   const std::size_t count = m_geometry.index(0, end) - first;
   updateCells(std::span(m_probabilities).subspan(first, count),

@@ -202,6 +202,18 @@ class TestCellUpdate : public QObject {
     QCOMPARE(model.probabilities()[grid.index(3, 3)], before);
   }
 
+  // Missed three times before it was hidden: what is left of a load that has passed.
+  void whatIsOnItsWayOutIsNotHeld() {
+    const ModelParameters parameters = with(ModelUpdate::Hysteresis);
+    EnvironmentModel model = seenForLong(parameters);
+    for (int frame = 0; frame < 3; ++frame) model.update({}, parameters);
+    QCOMPARE(model.state(3, 3), CellState::Occupied);
+    Eigen::Vector3f load = inCell(3, 3);
+    load.z() = 1.0F;
+    for (int frame = 0; frame < 3; ++frame) model.update({}, parameters, Points{load});
+    QVERIFY(model.state(3, 3) != CellState::Occupied);
+  }
+
   void blindnessIsForgottenAndLookingThroughIsFree_data() { eachUpdate(); }
   void blindnessIsForgottenAndLookingThroughIsFree() {
     QFETCH(ModelUpdate, update);
