@@ -58,6 +58,7 @@ struct ClusterShape {
   float toTool2 = std::numeric_limits<float>::infinity();  ///< nearest point to the tool, squared
   bool hangsAtTool = true;                                 ///< every point; see HangsAtTool
   int points = 0;
+  int known = 0;  ///< where the crane was a moment ago
 
   void add(const Vector3f& p, const Vector3f& tool, const HangsAtTool& hangs) {
     sum += p.cast<double>();
@@ -90,37 +91,46 @@ bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const B
          (2 * sizes.x() > bounds.xMax - bounds.xMin && 2 * sizes.y() > bounds.yMax - bounds.yMin);
 }
 
+enum class Part { Scene, Tool, Crane };  ///< Crane: by memory only
+
 /// Finds the tool's box among the clusters of `points`, whose labels fit them. Returns which of
 /// them are the tool: its cluster, and what hangs within its size in pieces of its own, as a
-/// grapple's jaw does that is seen behind the load.
-std::vector<bool> maskTool(StaticScene& scene, const Points& points, const Clusters& clusters,
+/// grapple's jaw does that is seen behind the load; and which were a part of it a moment ago.
+std::vector<Part> maskTool(StaticScene& scene, const Points& points, const Clusters& clusters,
                            const Vector3f& tool, const std::optional<OrientedBox>& load,
-                           const Parameters& parameters) {
+                           const Parameters& parameters, const CraneMemory& memory) {
+  constexpr double mostly = 0.6;
   const HangsAtTool hangs{tool, parameters.load.toolSize, load};
   std::vector<ClusterShape> shapes(clusters.sizes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
-    if (clusters.sizes[label] >= parameters.filter.clusterMinimum)
-      shapes[label].add(points[i], tool, hangs);
+    if (clusters.sizes[label] < parameters.filter.clusterMinimum) continue;
+    shapes[label].add(points[i], tool, hangs);
+    shapes[label].known += memory.knows(points[i]);
   }
   // The tool point is a pixel's; downsampling moved the points around it by up to about R.
   const double reach = parameters.filter.clusterTolerance + parameters.model.resolution;
   const ClusterShape* const found = nearestAtTool(shapes, tool, reach);
-  std::vector<bool> isTool(shapes.size());
+  std::vector<Part> parts(shapes.size(), Part::Scene);
   if (found == nullptr) {
     scene.toolMask = ToolMask::NothingThere;
-    return isTool;
+    return parts;
   }
   if (swallowsScene(found->box, points, parameters.bounds)) {
     scene.toolMask = ToolMask::TooLarge;
-    return isTool;
+    return parts;
   }
   scene.toolMask = ToolMask::Taken;
   scene.toolBox = {found->box.min().cast<double>(), found->box.max().cast<double>()};
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    isTool[k] = &shapes[k] == found || (shapes[k].points > 0 && shapes[k].hangsAtTool);
+    const ClusterShape& shape = shapes[k];
+    if (&shape == found || (shape.points > 0 && shape.hangsAtTool)) {
+      parts[k] = Part::Tool;
+    } else if (shape.points > 0 && shape.known > shape.points * mostly) {
+      parts[k] = Part::Crane;
+    }
   }
-  return isTool;
+  return parts;
 }
 
 }  // namespace
@@ -140,7 +150,8 @@ std::string_view nameOf(ToolMask mask) {
 }
 
 StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& tool,
-                           const std::optional<OrientedBox>& load, const Parameters& parameters) {
+                           const std::optional<OrientedBox>& load, const Parameters& parameters,
+                           const CraneMemory& memory) {
   const FilterParameters& filter = parameters.filter;
   const Bounds& bounds = parameters.bounds;
   StaticScene scene;
@@ -158,17 +169,18 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
 
   const double tolerance = std::max(filter.clusterTolerance, 2.0 * parameters.model.resolution);
   const Clusters clusters = euclideanClusters(points, static_cast<float>(tolerance));
-  std::vector<bool> isTool(clusters.sizes.size());
-  if (tool) isTool = maskTool(scene, points, clusters, reprojected(*tool), load, parameters);
+  std::vector<Part> parts(clusters.sizes.size(), Part::Scene);
+  if (tool) parts = maskTool(scene, points, clusters, reprojected(*tool), load, parameters, memory);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
     if (clusters.sizes[label] < filter.clusterMinimum) {
       scene.noise.push_back(points[i]);
       continue;
     }
-    if (isTool[label]) scene.toolCluster.push_back(points[i]);
+    if (parts[label] == Part::Tool) scene.toolCluster.push_back(points[i]);
     const Eigen::Vector3d p = points[i].cast<double>();
-    const bool dynamic = isTool[label] || (scene.toolBox && scene.toolBox->contains(p)) ||
+    const bool dynamic = parts[label] != Part::Scene ||
+                         (scene.toolBox && scene.toolBox->contains(p)) ||
                          (load && load->contains(p));
     (dynamic ? scene.removed : scene.statics).push_back(points[i]);
   }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "environment/crane_memory.h"
 #include "frame/cloud.h"
 #include "frame/oriented_box.h"
 #include "pipeline/parameters.h"
@@ -30,7 +31,7 @@ struct StaticScene {
   Points removed;  ///< taken out as dynamic; shown, so that an obstacle among them can be seen
   std::optional<AxisAlignedBox> toolBox;  ///< AABB of the tool's cluster, if and only if Taken
   ToolMask toolMask = ToolMask::NoToolPoint;
-  Points toolCluster;  ///< downsampled; of `removed` those that hang together with the tool
+  Points toolCluster;  ///< downsampled; of `removed` those that hang together with the tool now
   /// Points dropped by the low-pass, or with clusters that are too small: not believed, but no
   /// evidence that nothing is there.
   Points noise;
@@ -46,10 +47,12 @@ struct StaticScene {
 /// The tool's cluster is the one whose centre (mean of its points) is nearest to `tool`, among
 /// those that have a point at the tool: a long boom's centre is far from its end, and a stone's may
 /// be nearer. Clusters go with it that lie wholly within half of
-/// load_tool_size of the tool point, or within all of it and close to the load. See
-/// ToolMask for when none is taken. Without a load nothing is taken for it. With z-reprojection the
-/// tool point moves as the points do; the load's box stays where it is.
+/// load_tool_size of the tool point, or within somewhat more than all of it and close to the load,
+/// and those that lie mostly where `memory` has the crane. See ToolMask for when none is taken.
+/// Without a load nothing is taken for it. With z-reprojection the tool point moves as the points
+/// do; the load's box stays where it is.
 StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
-                           const std::optional<OrientedBox>& load, const Parameters& parameters);
+                           const std::optional<OrientedBox>& load, const Parameters& parameters,
+                           const CraneMemory& memory = {});
 
 }  // namespace boomwatch

@@ -68,6 +68,7 @@ struct Pipeline::State {
   ToolTracking tool;
   FrameChecks checks;
   LoadFollower loads;
+  CraneMemory craneMemory;
   Surroundings surroundings;
   LoadMotion motion;
   WarningMemory warning;
@@ -78,6 +79,7 @@ struct Pipeline::State {
   std::future<void> look(const Result& result);
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<OrientedBox> findLoad(Result& result);
+  StaticScene separate(const Result& result);
   bool isEvidence(const Result& result, Reason frameFault);
   Reason whyNothing(const Result& result, Reason frameFault) const;
   void judge(Result& result, Reason frameFault) const;
@@ -120,7 +122,7 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.loadVolume = state.findLoad(result);
   clock.lap("load");
 
-  result.scene = separateStatic(*result.cloud, result.tool.point, result.loadVolume, parameters);
+  result.scene = state.separate(result);
   result.removedShare = removedShare(result.scene);
   clock.lap("filter");
 
@@ -204,6 +206,14 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
   const double margin = detected ? parameters.margin : result.parameters.model.resolution;
   return dynamicVolume(*result.load, margin, noise);
+}
+
+StaticScene Pipeline::State::separate(const Result& result) {
+  craneMemory.forgetBefore(result.frame->stamp);
+  StaticScene scene = separateStatic(*result.cloud, result.tool.point, result.loadVolume,
+                                     result.parameters, craneMemory);
+  craneMemory.note(result.frame->stamp, scene.toolCluster);
+  return scene;
 }
 
 /// A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must

@@ -202,6 +202,13 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
         {TR("Stereo"), TR("Smooth"),
          TR("Width of the neighbourhood that a disparity is the mean of; 0 is off"), "px"},
         {0, 99, 6}),
+    row<&P::stereo, &S::steepest>(
+        "stereo_steepest",
+        {TR("Stereo"), TR("Steepest"),
+         TR("A disparity that changes by more than this from pixel to pixel is a veil between a "
+            "near thing and what is behind it, and goes; 0 is off"),
+         "px/px"},
+        {0, 100, 0.1}),
     row<&P::validity, &V::maxFrameAge>(
         "max_frame_age",
         {TR("Validity"), TR("Frame age"), TR("Longer without a frame, and there is no distance"),

@@ -9,6 +9,7 @@
 
 #include "frame/error.h"
 #include "frame/size_text.h"
+#include "stereo/disparity_veils.h"
 
 namespace boomwatch {
 namespace {
@@ -288,6 +289,9 @@ StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameter
   m_rows.look(grey(pair.left), pair.right, matched, m_maps->rightCamera);
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
+  if (parameters.steepest > 0.0) {
+    result.disparity = withoutVeils(result.disparity, parameters.steepest);
+  }
   result.cloud = reproject(result.disparity, m_maps->projection);
   result.focalLength = m_maps->projection.fx;
   result.baseline = m_maps->projection.baseline;

@@ -109,6 +109,42 @@ class TestStaticScene : public QObject {
     QCOMPARE(countNear(empty.removed, 2.2F), std::size_t{0});
   }
 
+  void whatTheLoadJoinsWithAJawDoesNotKeepItFromTheTool() {
+    // The jaw's points and the load's are one cluster, most of it far from the tool.
+    const Vector3f tool(0, 0.45F, 2);
+    const Points jaw = wall(-0.1F, 0.1F, 0.8F, 0.95F, 2.2F);
+    const Points log = wall(-1.4F, 1.4F, 1.0F, 1.2F, 2.2F);
+    const OrientedBox load{{0, 1.1, 2.25}, {2.9, 0.3, 0.3}};
+    const StaticScene scene =
+        separateStatic(cloudOf({floorAt5, boomAt2, jaw, log}), tool, load, Parameters{});
+    QCOMPARE(scene.toolMask, ToolMask::Taken);
+    QCOMPARE(countNear(scene.statics, 2.2F), std::size_t{0});
+  }
+
+  void aBoomThatIsCutForAMomentIsNoObstacle() {
+    const Points lower = wall(-0.1F, 0.1F, -0.4F, 0.5F, 2.0F);
+    const Points upper = wall(-0.1F, 0.1F, -2.0F, -0.7F, 2.0F);
+    const Points stone = wall(0.8F, 1.0F, -1.2F, -1.0F, 2.0F);
+    const Vector3f tool(0, 0.45F, 2);
+    boomwatch::CraneMemory memory;
+    memory.note(7.0, separateStatic(cloudOf({floorAt5, boomAt2}), tool, {}, {}).toolCluster);
+    const Cloud cut = cloudOf({floorAt5, lower, upper, stone});
+    QVERIFY(countNear(separateStatic(cut, tool, {}, {}).statics, 2.0F) > 200);
+    memory.forgetBefore(7.2);
+    const StaticScene scene = separateStatic(cut, tool, {}, {}, memory);
+    // Only the stone is left, and what the memory alone took for crane will not be remembered.
+    for (const Vector3f& p : scene.statics) QVERIFY(p.z() > 4.0F || p.x() > 0.5F);
+    QVERIFY(countNear(scene.statics, 2.0F) > 20);
+    for (const Vector3f& p : scene.toolCluster) QVERIFY(p.y() > -0.6F);
+    // It does not last, nor outlive a clock that was set back.
+    memory.forgetBefore(7.3);
+    QVERIFY(countNear(separateStatic(cut, tool, {}, {}, memory).statics, 2.0F) > 200);
+    memory.note(7.3, scene.toolCluster);
+    QVERIFY(memory.knows(scene.toolCluster.front()));
+    memory.forgetBefore(1.0);
+    QVERIFY(!memory.knows(scene.toolCluster.front()));
+  }
+
   void aStoneNearerThanTheBoomsCentreIsNotTakenForTheTool() {
     // The centre of the boom is 1.2 m from its end, that of the stone half a metre.
     const Points stone = wall(0.5F, 0.7F, 0.4F, 0.6F, 2.0F);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace boomwatch {
+
+/// Without the veils that a matcher draws between a near thing and what is behind it, a few pixels
+/// wide: disparities that change across or down by more than `steepest` pixels a pixel, as those of
+/// no surface do that is not seen nearly edge-on. A plane beside the camera at a distance of h has
+/// a slope of B / h.
+///
+/// `disparity`: CV_32FC1, pixels, NaN where nothing matched. Pure.
+cv::Mat withoutVeils(const cv::Mat& disparity, double steepest);
+
+}  // namespace boomwatch
