@@ -861,6 +861,14 @@
         <source>Width of the neighbourhood over which noisy depth of a depth camera or a recorded cloud is averaged; below 3 it is taken as it is</source>
         <translation>Breite der Nachbarschaft, über die verrauschte Tiefe einer Tiefenkamera oder einer aufgezeichneten Punktwolke gemittelt wird; unter 3 bleibt sie, wie sie ist</translation>
     </message>
+    <message>
+        <source>Steepest</source>
+        <translation>Steilste Disparität</translation>
+    </message>
+    <message>
+        <source>A disparity that changes by more than this from pixel to pixel is a veil between a near thing and what is behind it, and goes; 0 is off</source>
+        <translation>Eine Disparität, die sich von Pixel zu Pixel um mehr als das ändert, ist ein Schleier zwischen etwas Nahem und dem dahinter und fällt weg; 0 ist aus</translation>
+    </message>
 </context>
 <context>
     <name>StateText</name>

@@ -46,17 +46,18 @@ std::optional<double> noiseOf(const cv::Mat& inverse) {
   return static_cast<double>(*middle) / (0.6745 * std::sqrt(6.0));
 }
 
-/// The mean of a row's pixels and of those around them that are less than `alike` apart.
+/// The mean of a row's pixels and of those around them that are less than `alike` apart. As many on
+/// one side as on the other, at the picture's border too, or slopes would be bent there.
 void smoothRow(const cv::Mat& inverse, int v, int reach, float alike, std::vector<float>& sums,
                std::vector<float>& counts) {
   const auto* const centre = inverse.ptr<float>(v);
   std::fill(sums.begin(), sums.end(), 0.0F);
   std::fill(counts.begin(), counts.end(), 0.0F);
-  for (int dv = -reach; dv <= reach; ++dv) {
-    if (v + dv < 0 || v + dv >= inverse.rows) continue;
+  const int down = std::min({reach, v, inverse.rows - 1 - v});
+  for (int dv = -down; dv <= down; ++dv) {
     const auto* const other = inverse.ptr<float>(v + dv);
     for (int du = -reach; du <= reach; ++du) {
-      const int begin = std::max(0, -du), end = std::min(inverse.cols, inverse.cols - du);
+      const int begin = std::abs(du), end = inverse.cols - begin;
       float* const sum = sums.data();
       float* const count = counts.data();
       for (int u = begin; u < end; ++u) {
