@@ -73,6 +73,7 @@ struct Pipeline::State {
   LoadMotion motion;
   WarningMemory warning;
   std::optional<double> unmaskedSince;  ///< stamp from which the crane was not told from the scene
+  std::shared_ptr<const Cloud> whole;   ///< of this frame; with the rims of tool and load
   double depthPerPixel = 0.0;           ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
   bool sense(Result& result, std::future<void>& looking);
@@ -116,7 +117,7 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   clock.lap("checks");
 
   if (looking.valid()) looking.get();
-  result.tool = state.tool.locate(*result.cloud, frame->stamp, parameters.tracking);
+  result.tool = state.tool.locate(*state.whole, frame->stamp, parameters.tracking);
   clock.lap("tool");
 
   result.loadVolume = state.findLoad(result);
@@ -152,7 +153,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
       return false;
     }
     looking = look(result);
-    result.cloud = withoutDepthNoise(frame.cloud, result.parameters.filter.depthSmooth);
+    whole = result.cloud = withoutDepthNoise(frame.cloud, result.parameters.filter.depthSmooth);
     return true;
   }
   try {
@@ -161,7 +162,8 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     result.image = pair.left;
     looking = look(result);
     StereoResult stereoResult = stereo.match(pair, result.parameters.stereo);
-    result.cloud = stereoResult.cloud;
+    result.cloud = stereoResult.surfaces;
+    whole = stereoResult.cloud;
     result.rowResidue = stereoResult.rowResidue;
     result.rowsCorrected = stereoResult.rowsCorrected;
     depthPerPixel = 1.0 / (stereoResult.focalLength * stereoResult.baseline);
@@ -190,10 +192,9 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   if (detected) {
     const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
     const LoadDetection detection =
-        result.tool.point
-            ? detectLoad(*result.cloud, *result.tool.point, noise, result.parameters.bounds,
-                         parameters, loads.expected(stamp, maxAge, result.tool.point))
-            : LoadDetection::refused(LoadFault::NoToolPoint);
+        result.tool.point ? detectLoad(*whole, *result.tool.point, noise, result.parameters.bounds,
+                                       parameters, loads.expected(stamp, maxAge, result.tool.point))
+                          : LoadDetection::refused(LoadFault::NoToolPoint);
     const auto followed = loads.follow(detection, stamp, parameters, maxAge, result.tool.point);
     result.load = followed.box;
     result.loadFault = detection.fault;

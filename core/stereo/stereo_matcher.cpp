@@ -289,10 +289,11 @@ StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameter
   m_rows.look(grey(pair.left), pair.right, matched, m_maps->rightCamera);
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);
+  result.cloud = result.surfaces = reproject(result.disparity, m_maps->projection);
   if (parameters.steepest > 0.0) {
-    result.disparity = withoutVeils(result.disparity, parameters.steepest);
+    result.surfaces =
+        reproject(withoutVeils(result.disparity, parameters.steepest), m_maps->projection);
   }
-  result.cloud = reproject(result.disparity, m_maps->projection);
   result.focalLength = m_maps->projection.fx;
   result.baseline = m_maps->projection.baseline;
   return result;

@@ -22,6 +22,9 @@ struct StereoResult {
   cv::Mat left;       ///< CV_8UC1 or CV_8UC3, rectified
   cv::Mat disparity;  ///< CV_32FC1, pixels; NaN where nothing matched
   std::shared_ptr<const Cloud> cloud;
+  /// The cloud without veils (see withoutVeils): what is in it is a surface, but the rims of round
+  /// things are gone.
+  std::shared_ptr<const Cloud> surfaces;
   double focalLength = 0.0;  ///< pixels, of the rectified pair
   double baseline = 0.0;     ///< metres
   /// How far the rows of left and right differ by the calibration, pixels, by features of the first
