@@ -285,8 +285,9 @@ class TestWorker : public QObject {
     test::Script script;
     script.read = [reads](std::size_t i) -> ReadResult {
       auto frame = std::make_shared<Frame>(*test::wallFrame(i, 0.1 * static_cast<double>(i)));
-      // In the wall for one frame, far in front of it before and after.
-      frame->load->centre.z() = i == 6 ? 3.0 : 0.5;
+      // In the wall for one frame, far in front of it before and after. The wall is in small
+      // pieces, which count only once they are certain.
+      frame->load->centre.z() = i == 8 ? 3.0 : 0.5;
       ++*reads;
       return {Status::Ok, frame, {}, 0};
     };
