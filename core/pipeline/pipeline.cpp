@@ -218,11 +218,13 @@ StaticScene Pipeline::State::separate(const Result& result) {
 }
 
 /// A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
-/// one in which boom and load are taken for a part of the surroundings; but where they touch the
-/// ground for long, they are better learnt, and warned of, than that nothing else is.
+/// one in which boom and load are taken for a part of the surroundings, be it that a leaf before
+/// the tool was taken for its point; but where that goes on, as when they touch the ground for
+/// long, they are better learnt, and warned of, than that nothing else is.
 bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   const double stamp = result.frame->stamp;
-  if (result.scene.toolMask != ToolMask::TooLarge) {
+  const ToolMask mask = result.scene.toolMask;
+  if (mask != ToolMask::TooLarge && mask != ToolMask::NothingThere) {
     unmaskedSince.reset();
   } else if (!unmaskedSince || stamp < *unmaskedSince) {
     unmaskedSince = stamp;
