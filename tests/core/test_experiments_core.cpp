@@ -239,4 +239,4 @@ class TestExperimentsCore : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestExperimentsCore)
-#include "test_experiments_core_slow.moc"
+#include "test_experiments_core.moc"
