@@ -1,5 +1,6 @@
 #include "experiments/hour_experiment.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/yard_runs.h"
@@ -11,7 +12,8 @@ constexpr double framesAnHour = 20.0 * 3600.0;
 constexpr std::size_t framesOfAShift = 1200;  // a minute, then another yard
 
 YardPlan planOf(const ExperimentSetup& setup) {
-  const auto all = static_cast<std::size_t>(std::ceil(setup.hours * framesAnHour - 1e-6));
+  const double frames = std::max(1.0, std::ceil(setup.hours * framesAnHour - 1e-6));
+  const auto all = static_cast<std::size_t>(frames);
   YardPlan plan;
   plan.firstSeed = setup.firstSeed + setup.sequences;
   plan.frames = std::min(all, framesOfAShift);
