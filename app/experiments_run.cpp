@@ -44,8 +44,7 @@ std::vector<BenchFigure> benchIn(const QString& path) {
 
 /// Now, not after an hour.
 void requireYards(const ExperimentSetup& setup) {
-  const std::string last = std::to_string(setup.firstSeed + setup.sequences - 1);
-  parseYardOptions("seed=" + last, "--sequences");
+  parseYardOptions("seed=" + std::to_string(setup.lastSeed()), "--sequences, --hours");
   parseYardOptions("frames=" + std::to_string(setup.framesOfAYard()), "--frames");
 }
 

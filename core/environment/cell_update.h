@@ -24,9 +24,9 @@ inline constexpr int sameSurface = 8;
 ///   measured more than `sameSurface` levels before or behind a cell's surface is a miss of it, not
 ///   a hit. Before it, it takes the cell when it has been seen as often as a thing that enters (n
 ///   of Eq. 23); behind it, when the surface would leave. So a leaf that falls past does not count,
-///   by whatever background, and a surface that is missed now and then stays. What is measured
-///   nearer by than that moves the surface by one level a frame: the running median, which noise
-///   and a leaf right before a wall hardly move.
+///   by whatever background, and a surface that is missed now and then stays. What differs by
+///   less moves the surface by one level a frame: a running median, which noise and a leaf right
+///   before a wall hardly move.
 /// - log-odds: Bayes' rule with the odds of a hit and of a miss, held below `logOddsHigh`; a hit
 ///   counts from `logOddsLow` at least (Hornung et al. 2013, OctoMap, eq. 2-4, whose clamping and
 ///   default values these are). A cell that is missed goes on below it, until it is forgotten.

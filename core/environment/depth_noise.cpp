@@ -21,7 +21,7 @@ cv::Mat inverseDepths(const Cloud& cloud) {
     auto* const row = inverse.ptr<float>(v);
     for (int u = 0; u < inverse.cols; ++u) {
       const float z = cloud.at(u, v).z();
-      row[u] = z > 0.0F ? 1.0F / z : std::numeric_limits<float>::quiet_NaN();
+      row[u] = z > 0.0F && std::isfinite(z) ? 1.0F / z : std::numeric_limits<float>::quiet_NaN();
     }
   }
   return inverse;

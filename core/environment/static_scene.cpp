@@ -177,11 +177,11 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
       scene.noise.push_back(points[i]);
       continue;
     }
-    if (parts[label] == Part::Tool) scene.toolCluster.push_back(points[i]);
     const Eigen::Vector3d p = points[i].cast<double>();
-    const bool dynamic = parts[label] != Part::Scene ||
-                         (scene.toolBox && scene.toolBox->contains(p)) ||
-                         (load && load->contains(p));
+    const bool isLoad = load && load->contains(p);
+    if (parts[label] == Part::Tool && !isLoad) scene.toolCluster.push_back(points[i]);
+    const bool dynamic =
+        parts[label] != Part::Scene || (scene.toolBox && scene.toolBox->contains(p)) || isLoad;
     (dynamic ? scene.removed : scene.statics).push_back(points[i]);
   }
   return scene;

@@ -31,7 +31,7 @@ struct StaticScene {
   Points removed;  ///< taken out as dynamic; shown, so that an obstacle among them can be seen
   std::optional<AxisAlignedBox> toolBox;  ///< AABB of the tool's cluster, if and only if Taken
   ToolMask toolMask = ToolMask::NoToolPoint;
-  Points toolCluster;  ///< downsampled; of `removed` those that hang together with the tool now
+  Points toolCluster;  ///< downsampled; of `removed` those that are the tool's now, not the load's
   /// Points dropped by the low-pass, or with clusters that are too small: not believed, but no
   /// evidence that nothing is there.
   Points noise;

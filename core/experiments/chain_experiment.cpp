@@ -6,8 +6,6 @@ namespace boomwatch {
 namespace {
 
 std::string definitions(const ExperimentSetup& setup) {
-  const WarningParameters& warning = setup.parameters.warning;
-  const auto metres = [](double value) { return fixedText(value, 2) + " m"; };
   return "Yards of seed " + std::to_string(setup.firstSeed) + " to " +
          std::to_string(setup.firstSeed + setup.sequences - 1) + ", " +
          std::to_string(setup.framesOfAYard()) +
@@ -17,21 +15,7 @@ std::string definitions(const ExperimentSetup& setup) {
          "load taken out pixel by pixel as the simulation knows them; the whole chain on the same "
          "points, on the same depth and on the stereo pair, with the load and the tool's true box "
          "given; and the stereo pair with the "
-         "tool tracked from its first box and the load detected. The first " +
-         fixedText(warmUp, 1) + " s of each sequence are not judged.\n\n" +
-         "**Missed**: something that has its place and that the camera sees in this frame is at "
-         "most " +
-         metres(warning.warningDistance) +
-         " from the load, and for 150 ms or longer the level is neither warning nor collision; "
-         "also when the chain says that it has no distance. **False**: the level is warning or "
-         "collision although everything, seen or not, also persons and branches, is and for " +
-         fixedText(warning.releaseDelay + promptly, 2) +
-         " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
-         " and than the load goes in " + fixedText(warning.warningTime, 1) +
-         " s at the fastest speed of the last half second, and the deadband of " +
-         metres(warning.deadband) +
-         " more. Two less than half a second apart are one. Without a false alarm the number in "
-         "brackets is what can be excluded with 95 % certainty: three divided by the hours.";
+         "tool tracked from its first box and the load detected.";
 }
 
 }  // namespace
@@ -46,6 +30,7 @@ std::optional<Chapter> runChainExperiment(const ExperimentSetup& setup,
   const WarningParameters& warning = setup.parameters.warning;
   Chapter chapter{"The whole chain on random yards", {}};
   chapter.items.emplace_back(definitions(setup));
+  chapter.items.emplace_back(alarmDefinitions(warning));
   chapter.items.emplace_back(chainAlarms(runs, warning));
   chapter.items.emplace_back(chainFaults(runs, warning));
   chapter.items.emplace_back(chainErrors(runs, true));

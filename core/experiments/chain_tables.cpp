@@ -130,6 +130,24 @@ Table chainErrors(std::span<const ChainRun> runs, bool againstSeen) {
   return table;
 }
 
+std::string alarmDefinitions(const WarningParameters& warning) {
+  const auto metres = [](double value) { return fixedText(value, 2) + " m"; };
+  return "The first " + fixedText(warmUp, 1) + " s of each sequence are not judged. " +
+         "**Missed**: something that has its place and that the camera sees in this frame is at "
+         "most " +
+         metres(warning.warningDistance) +
+         " from the load, and for 150 ms or longer the level is neither warning nor collision; "
+         "also when the chain says that it has no distance. **False**: the level is warning or "
+         "collision although everything, seen or not, also persons and branches, is and for " +
+         fixedText(warning.releaseDelay + promptly, 2) +
+         " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
+         " and than the load goes in " + fixedText(warning.warningTime, 1) +
+         " s at the fastest speed of the last half second, and the deadband of " +
+         metres(warning.deadband) +
+         " more. Two less than half a second apart are one. Without a false alarm the number in "
+         "brackets is what can be excluded with 95 % certainty: three divided by the hours.";
+}
+
 Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warning) {
   constexpr double narrow = 0.1, nearZone = 0.25;  // metres
   Table table{"chain_alarms",

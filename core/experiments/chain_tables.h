@@ -19,6 +19,9 @@ struct ChainRun {
 /// takes them up is another question.
 Table chainErrors(std::span<const ChainRun> runs, bool againstSeen);
 
+/// What is counted as a missed and as a false alarm. Markdown.
+std::string alarmDefinitions(const WarningParameters& warning);
+
 /// Missed and false alarms by stage.
 Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warning);
 

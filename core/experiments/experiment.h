@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -33,6 +34,14 @@ struct ExperimentSetup {
 
   static constexpr std::size_t yardFrames = 200;
   std::size_t framesOfAYard() const { return frames.value_or(yardFrames); }
+  static constexpr std::size_t framesOfAShift = 1200;  ///< a minute, then another yard
+  /// Of those hours, 20 a second; at least one.
+  std::size_t framesOfWork() const {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(hours * 20.0 * 3600.0 - 1e-6)));
+  }
+  std::size_t shifts() const { return (framesOfWork() + framesOfAShift - 1) / framesOfAShift; }
+  /// Of all yards: those of the work come after the others.
+  std::uint64_t lastSeed() const { return firstSeed + sequences + shifts() - 1; }
   /// How much of what is usual in other experiments: with shorter yards so much less of it.
   std::size_t share(std::size_t usual) const {
     const std::size_t part = usual * std::min(framesOfAYard(), yardFrames) / yardFrames;

@@ -85,6 +85,14 @@ class TestExperiments : public QObject {
     QVERIFY(!report.contains("Table 6"));
   }
 
+  void aMomentOfWorkIsAFrame() {
+    const Run result =
+        run({"--only", "an hour of work", "--hours", "1e-12", "--output", path("report")});
+    QVERIFY2(result.exitCode == 0, result.errors.constData());
+    // What is counted is said, also where there is no other chapter.
+    QVERIFY(contents(path("report/report.md")).contains("**Missed**"));
+  }
+
   void anInterruptLeavesNothing() {
     QProcess process;
     process.start(QStringLiteral(BOOMWATCH_PROGRAM),
@@ -130,6 +138,7 @@ class TestExperiments : public QObject {
     row("below a file", {"--output", "FOLDER/file/new"}, "cannot be made");
     row("no yards", output + QStringList{"--sequences", "0"}, "--sequences");
     row("too many yards", output + QStringList{"--sequences", "1000000"}, "0..999999");
+    row("too many yards for the hours", output + QStringList{"--sequences", "999990"}, "0..999999");
     row("yards too long", output + QStringList{"--frames", "12001"}, "1..12000");
     row("no recordings", output + QStringList{"--tracking", "FOLDER/absent"}, "absent");
     row("no hours", output + QStringList{"--hours", "0"}, "--hours");
