@@ -64,6 +64,7 @@ class TestWatched : public QObject {
   void sizesBelowTheSmallestThingDoNotCount();
   void nothingWatchedIsRefused();
   void aBoomThatIsNotToldFromTheWallTeachesNothingAtFirst();
+  void aLeafBeforeTheToolTeachesNothingAtFirst();
 };
 
 void TestWatched::cutsTheBoomWhereItBends() {
@@ -204,6 +205,34 @@ void TestWatched::aBoomThatIsNotToldFromTheWallTeachesNothingAtFirst() {
   QCOMPARE(touching.clearance.nearest->distance, before);
   // For longer: then it is better to warn of the rod than not to learn what comes.
   QVERIFY(std::abs(run(20).clearance.nearest->distance - 0.9) < 0.05);
+}
+
+// A leaf close to the camera is taken for the tool's point: for a moment the rod is not masked.
+void TestWatched::aLeafBeforeTheToolTeachesNothingAtFirst() {
+  Parameters parameters = smallParameters();
+  hangLoad(parameters, 1.5, 0.2);
+  parameters.filter.clusterMinimum = 5;
+  Pipeline pipeline;
+  pipeline.order(PickTool{{80, 78}});
+  std::uint64_t index = 0;
+  const auto run = [&](int frames, bool leaf) {
+    Result result;
+    for (int n = 0; n < frames; ++n) {
+      auto frame = std::make_shared<Frame>(*rodBeforeWall(index++, 3.0F, 2.5F));
+      auto cloud = std::make_shared<Cloud>(*frame->cloud);
+      // Too small to be a cluster.
+      if (leaf) cloud->points[78 * 160 + 80] *= 0.4F;
+      frame->cloud = cloud;
+      result = pipeline.process(frame, parameters);
+    }
+    return result;
+  };
+  const double before = run(8, false).clearance.nearest->distance;
+  QVERIFY(std::abs(before - 1.4) < 0.05);  // to the wall
+  const Result hidden = run(9, true);      // 0.45 s
+  QVERIFY(hidden.scene.toolMask == ToolMask::NothingThere);
+  QCOMPARE(hidden.clearance.nearest->distance, before);
+  QVERIFY(std::abs(run(20, true).clearance.nearest->distance - 0.9) < 0.05);
 }
 
 QTEST_APPLESS_MAIN(TestWatched)
