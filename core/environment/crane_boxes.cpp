@@ -60,6 +60,14 @@ void cutAtBends(std::span<Vector3d> points, std::vector<OrientedBox>& segments) 
 
 }  // namespace
 
+std::vector<OrientedBox> boomSegments(const Points& boom) {
+  std::vector<Vector3d> points;
+  for (const Eigen::Vector3f& p : boom) points.push_back(p.cast<double>());
+  std::vector<OrientedBox> segments;
+  cutAtBends(points, segments);
+  return segments;
+}
+
 CraneBoxes craneBoxes(const Points& cluster, const Eigen::Vector3f& tool, double toolSize,
                       const std::optional<OrientedBox>& loadVolume) {
   std::vector<Vector3d> toolPoints, boomPoints;

@@ -15,6 +15,9 @@ struct CraneBoxes {
   std::vector<OrientedBox> boom;    ///< its straight segments, the one nearest to the tool first
 };
 
+/// Boxes around the straight segments of a boom; see craneBoxes. Pure.
+std::vector<OrientedBox> boomSegments(const Points& boom);
+
 /// `cluster`: the points of boom, tool and load that hang together. Those of the load's volume are
 /// left out; those within half of `toolSize` of `tool` are the tool; the rest is the boom. It is
 /// cut where it bends away from a straight line by more than 40 cm (as lines are simplified by

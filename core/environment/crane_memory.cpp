@@ -21,10 +21,10 @@ std::int64_t placeOf(const Eigen::Vector3f& p) {
 
 }  // namespace
 
-void CraneMemory::note(double stamp, const Points& toolCluster) {
-  if (toolCluster.empty()) return;
+void CraneMemory::note(double stamp, const Points& crane) {
+  if (crane.empty()) return;
   Moment moment{stamp, {}, {}};
-  for (const Eigen::Vector3f& p : toolCluster) {
+  for (const Eigen::Vector3f& p : crane) {
     moment.box.extend(p);
     moment.places.insert(placeOf(p));
   }

@@ -17,9 +17,9 @@ class CraneMemory {
   static constexpr double cell = 0.12;     ///< side of the cubes in which places are remembered
   static constexpr double lasting = 0.25;  ///< for how long
 
-  /// The cluster that was found at the tool itself, not what only this memory took for crane: or
+  /// What was found to be the crane by itself, not what only this memory took for crane: or
   /// what stands where the boom once was would never be an obstacle.
-  void note(double stamp, const Points& toolCluster);
+  void note(double stamp, const Points& crane);
   /// Drops what is too old for a frame of this stamp, and everything when the clock was set back.
   void forgetBefore(double stamp);
 

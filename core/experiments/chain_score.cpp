@@ -45,6 +45,20 @@ bool isOutside(std::span<const ChainFrame> frames, std::size_t k,
 
 }  // namespace
 
+std::vector<double> distanceErrors(std::span<const ChainFrame> frames, bool againstSeen,
+                                   const DistanceBand& band) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const ChainFrame& frame = frames[k];
+    const auto truth = againstSeen ? frame.seen : std::optional(frame.truth);
+    if (!isJudged(frames, k) || !truth || !frame.reported) continue;
+    if (*truth < band.low || *truth >= band.high) continue;
+    if (frame.moving && *frame.moving < *truth) continue;
+    errors.push_back(*frame.reported - *truth);
+  }
+  return errors;
+}
+
 std::vector<AlarmFault> missedAlarms(std::span<const ChainFrame> frames,
                                      const WarningParameters& warning) {
   auto silent = stretches(frames, 0.0, [&](std::size_t k) {

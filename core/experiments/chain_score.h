@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +36,17 @@ struct ChainFrame {
 inline constexpr double warmUp = 0.5;
 /// So soon a warning must come.
 inline constexpr double promptly = 0.15;
+
+/// Distances to the nearest thing, metres: low <= distance < high.
+struct DistanceBand {
+  double low = 0.0, high = std::numeric_limits<double>::infinity();
+};
+
+/// Reported less true distance to what is seen, or else to everything, where both are known and the
+/// true one is in the band. The beginning is left out, and so are frames in which a person or a
+/// branch is nearer: whether the model takes them up is another question.
+std::vector<double> distanceErrors(std::span<const ChainFrame> frames, bool againstSeen,
+                                   const DistanceBand& band = {});
 
 /// A stretch of frames in which the warning was wrong.
 struct AlarmFault {

@@ -11,12 +11,11 @@ namespace boomwatch {
 namespace {
 
 struct Band {
-  double low, high;
+  DistanceBand distances;
   const char* name;
 };
-constexpr std::array bands{Band{0.0, 0.5, "0 .. 0.5"}, Band{0.5, 1.0, "0.5 .. 1"},
-                           Band{1.0, 2.0, "1 .. 2"}, Band{2.0, 4.0, "2 .. 4"},
-                           Band{0.0, 1e9, "all"}};
+constexpr std::array bands{Band{{0.0, 0.5}, "0 .. 0.5"}, Band{{0.5, 1.0}, "0.5 .. 1"},
+                           Band{{1.0, 2.0}, "1 .. 2"}, Band{{2.0, 4.0}, "2 .. 4"}, Band{{}, "all"}};
 
 /// In the order of the stages.
 std::vector<ChainKind> kindsIn(std::span<const ChainRun> runs) {
@@ -36,13 +35,9 @@ std::vector<double> errorsOf(std::span<const ChainRun> runs, ChainKind kind, con
                              bool againstSeen) {
   std::vector<double> errors;
   for (const ChainRun& run : runs) {
-    if (run.kind != kind) continue;
-    for (const ChainFrame& frame : run.frames) {
-      if (frame.stamp - run.frames.front().stamp < warmUp - 1e-6) continue;
-      const auto truth = againstSeen ? frame.seen : std::optional(frame.truth);
-      if (!truth || !frame.reported || *truth < band.low || *truth >= band.high) continue;
-      if (frame.moving && *frame.moving < *truth) continue;
-      errors.push_back(*frame.reported - *truth);
+    if (run.kind == kind) {
+      std::ranges::copy(distanceErrors(run.frames, againstSeen, band.distances),
+                        std::back_inserter(errors));
     }
   }
   return errors;

@@ -14,9 +14,7 @@ struct ChainRun {
   std::vector<ChainFrame> frames;
 };
 
-/// Error of the reported clearance, by stage and by band of the true distance. Frames in which a
-/// person or a branch is nearer than everything that has its place are left out: whether the model
-/// takes them up is another question.
+/// Error of the reported clearance, by stage and by band of the true distance; see distanceErrors.
 Table chainErrors(std::span<const ChainRun> runs, bool againstSeen);
 
 /// What is counted as a missed and as a false alarm. Markdown.

@@ -1,6 +1,7 @@
 #include "experiments/experiment.h"
 
 #include "experiments/chain_experiment.h"
+#include "experiments/defaults_experiment.h"
 #include "experiments/entry_experiment.h"
 #include "experiments/gap_experiment.h"
 #include "experiments/hour_experiment.h"
@@ -25,6 +26,7 @@ const std::vector<Experiment>& experiments() {
       {"simulator", runSimulatorExperiment},
       {"update rules", runUpdateRulesExperiment},
       {"projections", runProjectionExperiment},
+      {"defaults", runDefaultsExperiment},
       {"the whole chain", runChainExperiment},
       {"an hour of work", runHourExperiment},
   };

@@ -19,19 +19,14 @@ constexpr Projection projections[] = {
     {ModelProjection::Perspective, "image rays"}};
 constexpr ChainKind kinds[] = {ChainKind::MaskedCloud, ChainKind::MaskedDepth};
 
-/// Reported less true distance, where nothing that moves is nearer.
 struct Errors {
   std::vector<double> seen, all;
   std::size_t frames = 0;
 
   void add(const ChainRun& run) {
-    for (const ChainFrame& frame : run.frames) {
-      if (frame.stamp - run.frames.front().stamp < warmUp) continue;
-      ++frames;
-      if (!frame.reported || (frame.moving && *frame.moving < frame.truth)) continue;
-      if (frame.seen) seen.push_back(*frame.reported - *frame.seen);
-      all.push_back(*frame.reported - frame.truth);
-    }
+    frames += run.frames.size();
+    std::ranges::copy(distanceErrors(run.frames, true), std::back_inserter(seen));
+    std::ranges::copy(distanceErrors(run.frames, false), std::back_inserter(all));
   }
 };
 

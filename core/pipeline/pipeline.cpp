@@ -214,6 +214,7 @@ StaticScene Pipeline::State::separate(const Result& result) {
   StaticScene scene = separateStatic(*result.cloud, result.tool.point, result.loadVolume,
                                      result.parameters, craneMemory);
   craneMemory.note(result.frame->stamp, scene.toolCluster);
+  craneMemory.note(result.frame->stamp, scene.boomCut);
   return scene;
 }
 
@@ -268,6 +269,8 @@ void Pipeline::State::watchCrane(Result& result) const {
   if (result.tool.point && result.scene.toolMask == ToolMask::Taken) {
     crane = craneBoxes(result.scene.toolCluster, *result.tool.point,
                        result.parameters.load.toolSize, result.loadVolume);
+    const auto cut = boomSegments(result.scene.boomCut);
+    crane.boom.insert(crane.boom.end(), cut.begin(), cut.end());
   }
   const auto add = [&](WatchedObject object, int segment, const std::optional<OrientedBox>& box) {
     const Clearance clearance = box ? surroundings.around(*box, result.parameters)

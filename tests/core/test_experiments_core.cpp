@@ -4,6 +4,7 @@
 
 #include "experiments/chain_experiment.h"
 #include "experiments/chain_stage.h"
+#include "experiments/defaults_experiment.h"
 #include "experiments/entry_experiment.h"
 #include "experiments/gap_experiment.h"
 #include "experiments/hour_experiment.h"
@@ -225,6 +226,23 @@ class TestExperimentsCore : public QObject {
     for (const Cells& row : table.rows) {
       QVERIFY(std::stod(row[2]) > 50.0);
       QVERIFY2(std::stod(row[4]) < 0.2, row[4].c_str());
+    }
+  }
+
+  void theDefaultsAreComparedWithTheThesiss() {
+    ExperimentSetup setup = little();
+    setup.hours = 1.0 / 3600.0;
+    const auto chapter = runDefaultsExperiment(setup, always);
+    const Table table = tableOf(*chapter, "defaults");
+    QCOMPARE(table.rows.size(), std::size_t{9});
+    QCOMPARE(table.rows.front()[0] + ": " + table.rows.front()[1],
+             std::string("noisy depth: defaults"));
+    // A setting that is set back must not do what the default does.
+    for (const Cells& row : table.rows) {
+      QVERIFY(!row[6].empty());
+      const Cells& defaults = *std::ranges::find(table.rows, row[0], &Cells::front);
+      QCOMPARE(Cells(row.begin() + 2, row.end()) == Cells(defaults.begin() + 2, defaults.end()),
+               row[1] == "defaults");
     }
   }
 
