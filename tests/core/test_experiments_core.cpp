@@ -240,7 +240,8 @@ class TestExperimentsCore : public QObject {
     // A setting that is set back must not do what the default does.
     for (const Cells& row : table.rows) {
       QVERIFY(!row[6].empty());
-      const Cells& defaults = *std::ranges::find(table.rows, row[0], &Cells::front);
+      const Cells& defaults =
+          *std::ranges::find_if(table.rows, [&](const Cells& cells) { return cells[0] == row[0]; });
       QCOMPARE(Cells(row.begin() + 2, row.end()) == Cells(defaults.begin() + 2, defaults.end()),
                row[1] == "defaults");
     }
