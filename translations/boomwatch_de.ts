@@ -850,8 +850,8 @@
         <translation>Zweifelhaftes</translation>
     </message>
     <message>
-        <source>What is smaller from corner to corner counts only once it has been seen in nearly every frame for a while (falling leaves are not); 0: all counts at once</source>
-        <translation>Was von Ecke zu Ecke kleiner ist, zählt erst, wenn es eine Weile in fast jedem Bild zu sehen war (fallende Blätter sind das nicht); 0: alles zählt sofort</translation>
+        <source>What is smaller, from corner to corner or in area, counts only once it was seen in nearly every frame for a while (falling leaves are not); 0: all counts at once</source>
+        <translation>Was kleiner ist, von Ecke zu Ecke oder als Fläche, zählt erst, wenn es eine Weile in fast jedem Bild zu sehen war (fallende Blätter sind das nicht); 0: alles zählt sofort</translation>
     </message>
     <message>
         <source>Smooth depth</source>

@@ -28,8 +28,10 @@ class Pieces {
   /// Of which pieces the cells are not to count.
   struct Limits {
     double smallest = 0.0;  ///< metres: diagonal below which none does
-    double doubtful = 0.0;  ///< metres: diagonal below which only those do that are `certain`
-    double certain = 0.0;   ///< mean probability
+    /// Metres: those with less than this diagonal, or with less area than a square has with it (a
+    /// bird's wings are long), count only when they are `certain`.
+    double doubtful = 0.0;
+    double certain = 0.0;  ///< mean probability
   };
   /// Indices of the cells that do not count, ascending.
   std::vector<std::size_t> doubtful(const Limits& limits) const;

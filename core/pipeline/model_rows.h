@@ -109,7 +109,8 @@ inline constexpr auto modelRows = std::to_array<ParameterInfo>({
     row<&P::clearance, &C::doubtfulThing>(
         "doubtful_thing",
         {TR("Clearance"), TR("Doubtful thing"),
-         TR("What is smaller from corner to corner counts only once it has been seen in nearly "
+         TR("What is smaller, from corner to corner or in area, counts only once it was seen in "
+            "nearly "
             "every frame for a while (falling leaves are not); 0: all counts at once"),
          "m"},
         {0, 10, 0.05}),

@@ -127,12 +127,16 @@ void TestPieces::whatIsSmallIsNamed() {
 void TestPieces::whatIsNotLargeMustBeCertain() {
   EnvironmentModel model(grid);
   for (int i = 10; i < 14; ++i) scenes::occupy(model, i, 4, 2.0);  // 20 cm x 5 cm
-  for (int i = 10; i < 30; ++i) scenes::occupy(model, i, 8, 2.0);  // 1 m
+  for (int i = 10; i < 30; ++i) {                                  // 1 m x 10 cm, and a thin one
+    scenes::occupy(model, i, 8, 2.0);
+    scenes::occupy(model, i, 9, 2.0);
+    scenes::occupy(model, i, 12, 2.0);
+  }
   Pieces pieces;
   pieces.rebuild(model, 0.1);
   const double p = at(pieces, 10, 4, 2.0).probability;
   QVERIFY(pieces.doubtful({.doubtful = 0.4, .certain = p - 0.01}).empty());
-  QCOMPARE(pieces.doubtful({.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{4});
+  QCOMPARE(pieces.doubtful({.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{24});
   QVERIFY(pieces.doubtful({.doubtful = 0.1, .certain = p + 0.01}).empty());
 }
 
