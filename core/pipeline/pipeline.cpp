@@ -111,11 +111,11 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   clock.lap("stereo");
   if (!sensed) return result;
 
-  const auto verdict =
-      state.checks.examine(frame, result.image, *result.cloud, parameters.validity);
-  result.fill = verdict.fill;
-  clock.lap("checks");
-
+  // Nothing before the model depends on what the frame is worth: meanwhile it is taken apart.
+  auto checking = std::async(
+      std::launch::async, [&state, frame, image = result.image, cloud = result.cloud, &parameters] {
+        return state.checks.examine(frame, image, *cloud, parameters.validity);
+      });
   if (looking.valid()) looking.get();
   result.tool = state.tool.locate(*state.whole, frame->stamp, parameters.tracking);
   clock.lap("tool");
@@ -126,6 +126,10 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.scene = state.separate(result);
   result.removedShare = removedShare(result.scene);
   clock.lap("filter");
+
+  const FrameChecks::Verdict verdict = checking.get();
+  result.fill = verdict.fill;
+  clock.lap("checks");  // as far as it had to be waited for
 
   if (verdict.modelIsStale) state.surroundings.forget();
   if (state.isEvidence(result, verdict.reason)) {
