@@ -6,6 +6,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "frame/bands.h"
+
 namespace boomwatch {
 namespace {
 
@@ -86,7 +88,7 @@ std::shared_ptr<const Cloud> withoutDepthNoise(const std::shared_ptr<const Cloud
   // Two points of one surface differ by the root of 2 of the noise; four times that hardly ever.
   const auto alike = static_cast<float>(4.0 * std::sqrt(2.0) * *noise);
   auto smooth = std::make_shared<Cloud>(*cloud);
-  cv::parallel_for_({0, inverse.rows}, [&](const cv::Range& rows) {
+  inBands(inverse.rows, [&](const cv::Range& rows) {
     std::vector<float> sums(static_cast<std::size_t>(inverse.cols)), counts(sums.size());
     for (int v = rows.start; v < rows.end; ++v) {
       smoothRow(inverse, v, window / 2, alike, sums, counts);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "frame/bands.h"
+
 namespace boomwatch {
 namespace {
 
@@ -60,7 +62,7 @@ cv::Mat smoothOnce(const cv::Mat& disparity, int window) {
   cv::Mat result(disparity.size(), CV_32FC1);
   // A multiple of the stride, so that the centre is among its own neighbours.
   const int reach = std::max(stride, window / 2 / stride * stride);
-  cv::parallel_for_({0, disparity.rows}, [&](const cv::Range& rows) {
+  inBands(disparity.rows, [&](const cv::Range& rows) {
     std::vector<float> scratch;
     for (int row = rows.start; row < rows.end; ++row) {
       smoothRow(disparity, row, reach, result, scratch);

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/bands.h"
+
 namespace boomwatch {
 
 cv::Mat withoutVeils(const cv::Mat& disparity, double steepest) {
   cv::Mat result = disparity.clone();
   const auto limit = static_cast<float>(2.0 * steepest);  // of central differences
-  cv::parallel_for_({0, disparity.rows}, [&](const cv::Range& rows) {
+  inBands(disparity.rows, [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) {
       const auto* const row = disparity.ptr<float>(v);
       const auto* const above = disparity.ptr<float>(std::max(0, v - 1));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/bands.h"
 #include "simulation/yard/material.h"
 
 namespace boomwatch {

@@ -30,16 +30,4 @@ void castTriangles(const YardEye& eye, const std::vector<YardGround::Triangle>& 
 /// CV_8UC1: 255 wherever the bodies would be seen if nothing stood before them. Several threads.
 cv::Mat silhouetteOf(const YardEye& eye, const Parts& parts);
 
-/// Runs work(rows) for bands of rows, several at a time.
-template <class Work>
-void inBands(int height, Work&& work) {
-  constexpr int bandRows = 32;
-  const int bands = (height + bandRows - 1) / bandRows;
-  cv::parallel_for_(cv::Range(0, bands), [&](const cv::Range& range) {
-    for (int band = range.start; band < range.end; ++band) {
-      work(cv::Range(band * bandRows, std::min(height, (band + 1) * bandRows)));
-    }
-  });
-}
-
 }  // namespace boomwatch

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/bands.h"
 #include "simulation/yard/material.h"
 #include "simulation/yard/texture.h"
 
