@@ -133,12 +133,12 @@ std::optional<Evidence> Pieces::evidenceAt(const Eigen::Vector3d& onEnvironment)
 }
 
 std::vector<std::size_t> Pieces::doubtful(const Limits& limits) const {
-  const double square = limits.doubtful * limits.doubtful / 2;  // whose diagonal that is
+  const double leastArea = limits.doubtful * limits.doubtful / 3;
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none) continue;
     const Evidence& piece = m_pieces[static_cast<std::size_t>(m_labels[k])];
-    const bool large = piece.extent >= limits.doubtful && piece.area >= square;
+    const bool large = piece.extent >= limits.doubtful && piece.area >= leastArea;
     const bool certain = large || piece.probability >= limits.certain;
     if (piece.extent < limits.smallest || !certain) cells.push_back(k);
   }

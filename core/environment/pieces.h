@@ -28,8 +28,9 @@ class Pieces {
   /// Of which pieces the cells are not to count.
   struct Limits {
     double smallest = 0.0;  ///< metres: diagonal below which none does
-    /// Metres: those with less than this diagonal, or with less area than a square has with it (a
-    /// bird's wings are long), count only when they are `certain`.
+    /// Metres: those with less than this diagonal, or with an area of less than a third of its
+    /// square (a bird's wings are long, a person's arm is larger), count only when they are
+    /// `certain`.
     double doubtful = 0.0;
     double certain = 0.0;  ///< mean probability
   };

@@ -24,7 +24,9 @@ struct Errors {
   std::size_t frames = 0;
 
   void add(const ChainRun& run) {
-    frames += run.frames.size();
+    frames += static_cast<std::size_t>(std::ranges::count_if(run.frames, [&](const ChainFrame& f) {
+      return f.stamp - run.frames.front().stamp >= warmUp - 1e-6;
+    }));
     std::ranges::copy(distanceErrors(run.frames, true), std::back_inserter(seen));
     std::ranges::copy(distanceErrors(run.frames, false), std::back_inserter(all));
   }

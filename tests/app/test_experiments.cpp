@@ -55,7 +55,7 @@ class TestExperiments : public QObject {
                             path("new/report"), "--tracking", path("one"), "--bench",
                             path("bench.json"), "--set", "probtresh=0.45"});
     QVERIFY2(result.exitCode == 0, result.errors.constData());
-    QVERIFY(result.errors.contains("experiment 11 of 11, an hour of work: 100 %"));
+    QVERIFY(result.errors.contains("experiment 12 of 12, an hour of work: 100 %"));
     const QByteArray report = contents(path("new/report/report.md"));
     QVERIFY(report.contains("2346 ms"));
     QVERIFY(report.contains("`probtresh=0.45`"));
