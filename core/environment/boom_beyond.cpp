@@ -40,7 +40,7 @@ bool BoomBeyond::isPart(const Points& piece) const {
   constexpr double miss = 0.3, missMore = 0.12;
   constexpr double farthest = 4.0;  // metres from an end to the elbow
   constexpr double mostly = 0.8;
-  if (!canFind()) return false;
+  if (!m_projection || !m_jib) return false;
   const auto beam = beamIn(piece, boomRadius);
   if (!beam || beam->share < mostly) return false;
   const auto elbow = crossing(*m_jib, *beam);

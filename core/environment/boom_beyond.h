@@ -16,8 +16,6 @@ class BoomBeyond {
   /// nothing where `cloud` is not organised or no pinhole's, or where no part of it is straight.
   BoomBeyond(const Points& seen, const Cloud& cloud);
 
-  bool canFind() const { return m_projection && m_jib; }
-
   /// Whether `piece`, a cluster, is straight, and its axis meets that of the boom out of the
   /// picture, at whose edge both end. Trees and stumps are not straight together with the ground
   /// they stand on, and axes of things that do not belong together pass by each other.

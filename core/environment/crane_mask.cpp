@@ -78,30 +78,23 @@ bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const B
 /// The parts of the boom that do not hang together with the tool's in the picture.
 void addBoomBeyond(CraneMask& mask, const std::vector<ClusterShape>& shapes, const Points& points,
                    const Clusters& clusters, const Cloud& cloud, const HangsAtTool& tool) {
-  std::vector<std::size_t> straight;
+  std::vector<std::optional<Points>> pieces(shapes.size());  // those that may be a part
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const bool open = mask.parts[k] == CranePart::None || mask.parts[k] == CranePart::Remembered;
-    if (open && shapes[k].points > 0 && shapes[k].spread.mayBeStraight()) straight.push_back(k);
+    if (open && shapes[k].points > 0 && shapes[k].spread.mayBeStraight()) pieces[k].emplace();
   }
-  if (straight.empty()) return;
-  const auto pointsOf = [&](auto&& isWanted) {
-    Points some;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (isWanted(static_cast<std::size_t>(clusters.labels[i]), points[i])) {
-        some.push_back(points[i]);
-      }
-    }
-    return some;
-  };
-  const BoomBeyond beyond(pointsOf([&](std::size_t label, const Vector3f& p) {
-                            return mask.parts[label] == CranePart::Tool && !tool.isWithin(p) &&
-                                   !tool.isLoad(p);
-                          }),
-                          cloud);
-  if (!beyond.canFind()) return;
-  for (const std::size_t k : straight) {
-    const auto isOfIt = [&](std::size_t label, const Vector3f&) { return label == k; };
-    if (beyond.isPart(pointsOf(isOfIt))) mask.parts[k] = CranePart::Boom;
+  if (std::ranges::none_of(pieces, [](const auto& piece) { return piece.has_value(); })) return;
+  Points seen;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3f& p = points[i];
+    const auto label = static_cast<std::size_t>(clusters.labels[i]);
+    if (pieces[label]) pieces[label]->push_back(p);
+    const bool isTools = mask.parts[label] == CranePart::Tool;
+    if (isTools && !tool.isWithin(p) && !tool.isLoad(p)) seen.push_back(p);
+  }
+  const BoomBeyond beyond(seen, cloud);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k] && beyond.isPart(*pieces[k])) mask.parts[k] = CranePart::Boom;
   }
 }
 

@@ -45,6 +45,12 @@ bool isOutside(std::span<const ChainFrame> frames, std::size_t k,
 
 }  // namespace
 
+std::size_t judgedFrames(std::span<const ChainFrame> frames) {
+  std::size_t judged = 0;
+  for (std::size_t k = 0; k < frames.size(); ++k) judged += isJudged(frames, k);
+  return judged;
+}
+
 std::vector<double> distanceErrors(std::span<const ChainFrame> frames, bool againstSeen,
                                    const DistanceBand& band) {
   std::vector<double> errors;

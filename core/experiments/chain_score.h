@@ -37,6 +37,9 @@ inline constexpr double warmUp = 0.5;
 /// So soon a warning must come.
 inline constexpr double promptly = 0.15;
 
+/// How many there are after the beginning.
+std::size_t judgedFrames(std::span<const ChainFrame> frames);
+
 /// Distances to the nearest thing, metres: low <= distance < high.
 struct DistanceBand {
   double low = 0.0, high = std::numeric_limits<double>::infinity();

@@ -100,6 +100,18 @@ std::size_t approachesOf(const ChainRun& run, const WarningParameters& warning) 
 
 }  // namespace
 
+Cells errorCells(const std::vector<double>& errors) {
+  std::vector<double> sizes, opposite;
+  for (const double error : errors) sizes.push_back(std::abs(error));
+  for (const double error : errors) opposite.push_back(-error);
+  return {fixedText(meanOf(errors), 3),
+          fixedText(quantileOf(sizes, 0.5), 3),
+          fixedText(quantileOf(sizes, 0.95), 3),
+          fixedText(quantileOf(sizes, 0.99), 3),
+          fixedText(shareAbove(errors, 0.1), 1, 100.0),
+          fixedText(shareAbove(opposite, 0.1), 1, 100.0)};
+}
+
 Table chainErrors(std::span<const ChainRun> runs, bool againstSeen) {
   Table table{againstSeen ? "chain_errors_seen" : "chain_errors_all",
               againstSeen ? "Reported less true distance to what the camera sees, metres."
@@ -111,15 +123,9 @@ Table chainErrors(std::span<const ChainRun> runs, bool againstSeen) {
   for (const ChainKind kind : kindsIn(runs)) {
     for (const Band& band : bands) {
       const std::vector<double> errors = errorsOf(runs, kind, band, againstSeen);
-      std::vector<double> sizes, opposite;
-      for (const double error : errors) sizes.push_back(std::abs(error));
-      for (const double error : errors) opposite.push_back(-error);
-      table.rows.push_back({text(nameOf(kind)), band.name, std::to_string(errors.size()),
-                            fixedText(meanOf(errors), 3), fixedText(quantileOf(sizes, 0.5), 3),
-                            fixedText(quantileOf(sizes, 0.95), 3),
-                            fixedText(quantileOf(sizes, 0.99), 3),
-                            fixedText(shareAbove(errors, 0.1), 1, 100.0),
-                            fixedText(shareAbove(opposite, 0.1), 1, 100.0)});
+      Cells row{text(nameOf(kind)), band.name, std::to_string(errors.size())};
+      std::ranges::move(errorCells(errors), std::back_inserter(row));
+      table.rows.push_back(std::move(row));
     }
   }
   return table;

@@ -14,6 +14,10 @@ struct ChainRun {
   std::vector<ChainFrame> frames;
 };
 
+/// Of distanceErrors, metres: bias, |e| 50 %, 95 % and 99 %; then percent more than 10 cm too far
+/// and too near.
+Cells errorCells(const std::vector<double>& errors);
+
 /// Error of the reported clearance, by stage and by band of the true distance; see distanceErrors.
 Table chainErrors(std::span<const ChainRun> runs, bool againstSeen);
 

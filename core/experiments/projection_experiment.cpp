@@ -24,29 +24,20 @@ struct Errors {
   std::size_t frames = 0;
 
   void add(const ChainRun& run) {
-    frames += static_cast<std::size_t>(std::ranges::count_if(run.frames, [&](const ChainFrame& f) {
-      return f.stamp - run.frames.front().stamp >= warmUp - 1e-6;
-    }));
+    frames += judgedFrames(run.frames);
     std::ranges::copy(distanceErrors(run.frames, true), std::back_inserter(seen));
     std::ranges::copy(distanceErrors(run.frames, false), std::back_inserter(all));
   }
 };
 
 Cells cellsOf(const Projection& projection, ChainKind kind, const Errors& errors) {
-  std::vector<double> sizes;
-  for (const double error : errors.seen) sizes.push_back(std::abs(error));
   const auto share = errors.frames > 0 ? std::optional(static_cast<double>(errors.all.size()) /
                                                        static_cast<double>(errors.frames))
                                        : std::nullopt;
-  return {projection.name,
-          std::string(nameOf(kind)),
-          fixedText(share, 1, 100.0),
-          fixedText(meanOf(errors.seen), 3),
-          fixedText(quantileOf(sizes, 0.5), 3),
-          fixedText(quantileOf(sizes, 0.95), 3),
-          fixedText(quantileOf(sizes, 0.99), 3),
-          fixedText(shareAbove(errors.seen, 0.1), 1, 100.0),
-          fixedText(shareAbove(errors.all, 0.1), 1, 100.0)};
+  Cells row{projection.name, std::string(nameOf(kind)), fixedText(share, 1, 100.0)};
+  std::ranges::move(errorCells(errors.seen), std::back_inserter(row));
+  row.back() = fixedText(shareAbove(errors.all, 0.1), 1, 100.0);  // in place of the last one
+  return row;
 }
 
 }  // namespace

@@ -110,8 +110,7 @@ inline constexpr auto modelRows = std::to_array<ParameterInfo>({
         "doubtful_thing",
         {TR("Clearance"), TR("Doubtful thing"),
          TR("What is smaller, from corner to corner or in area, counts only once it was seen in "
-            "nearly "
-            "every frame for a while (falling leaves are not); 0: all counts at once"),
+            "nearly every frame for a while (falling leaves are not); 0: all counts at once"),
          "m"},
         {0, 10, 0.05}),
     row<&P::watch, &A::load>("watch_load",

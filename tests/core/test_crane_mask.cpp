@@ -3,6 +3,7 @@
 
 #include "environment/beam.h"
 #include "environment/static_scene.h"
+#include "pipeline/pipeline.h"
 #include "simulation/yard/part.h"
 
 using namespace boomwatch;
@@ -90,6 +91,31 @@ class TestCraneMask : public QObject {
     QVERIFY(scene.toolBox->max.x() < 0.5);
   }
 
+  void theBoomBeyondIsWatchedAndNotNearItself() {
+    const Part boom = rod({0.2, -3.0, 4.0}, {3.2, 1.0, 2.6}, 0.18);
+    auto cloud = std::make_shared<const Cloud>(seen({jib, boom, wall}));
+    Parameters parameters;
+    parameters.watch.boom = true;
+    Pipeline pipeline;
+    pipeline.order(PickTool{{width / 2, height / 2 - 5}});
+    Result result;
+    for (std::uint64_t k = 0; k < 6; ++k) {
+      auto frame = std::make_shared<Frame>();
+      frame->sequence = k;
+      frame->stamp = static_cast<double>(k) / 20.0;
+      frame->left = cv::Mat(height, width, CV_8UC1, cv::Scalar(static_cast<double>(k)));
+      frame->cloud = cloud;
+      result = pipeline.process(frame, parameters);
+    }
+    bool isBeyond = false;
+    for (const Watched& watched : result.watched) {
+      if (watched.object != WatchedObject::Boom || !watched.box) continue;
+      isBeyond = isBeyond || watched.box->centre.x() > 1.0;
+      QVERIFY(watched.clearance.nearest && watched.clearance.nearest->distance > 2.0);
+    }
+    QVERIFY(isBeyond);
+  }
+
   void aPoleThatPassesByTheJibIsNot() {
     // As straight, and cut by the picture's edges, too; but its axis meets nothing.
     const Part pole = rod({1.3, -4.0, 3.4}, {1.3, 4.0, 3.4}, 0.15);
@@ -102,7 +128,7 @@ class TestCraneMask : public QObject {
   void whatEndsInThePictureIsNot() {
     // Its axis meets the jib's where the boom's would; it does not reach the edge of the picture.
     const Vector3d elbow(0.2, -3.0, 4.0), foot(3.2, 1.0, 2.6);
-    const Part pole = rod(elbow + 0.62 * (foot - elbow), foot, 0.18);
+    const Part pole = rod(elbow + 0.45 * (foot - elbow), foot, 0.18);
     const StaticScene scene = sceneOf({jib, pole, wall});
     QCOMPARE(scene.toolMask, ToolMask::Taken);
     QVERIFY(scene.boomCut.empty());
