@@ -7,6 +7,7 @@
 #include "experiments_run.h"
 #include "export_run.h"
 #include "frame/error.h"
+#include "frame/freed_memory.h"
 #include "headless.h"
 
 namespace {
@@ -76,6 +77,7 @@ void quietenLibraries() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  boomwatch::keepFreedMemory();
   quietenLibraries();
   boomwatch::CommandLine line;
   try {

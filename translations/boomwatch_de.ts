@@ -1056,6 +1056,10 @@
         <translation>Filter</translation>
     </message>
     <message>
+        <source>crane</source>
+        <translation>Kran</translation>
+    </message>
+    <message>
         <source>model</source>
         <translation>Modell</translation>
     </message>

@@ -138,6 +138,7 @@ QString stageText(std::string_view stage) {
   if (stage == "tool") return Texts::tr("tool");
   if (stage == "load") return Texts::tr("load");
   if (stage == "filter") return Texts::tr("filter");
+  if (stage == "crane") return Texts::tr("crane");
   if (stage == "model") return Texts::tr("model");
   if (stage == "clearance") return Texts::tr("clearance");
   return QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));

@@ -11,6 +11,14 @@ namespace {
 /// way out and goes on, or what is left of the load where it has passed would stay for good.
 constexpr double waning = 0.6;
 
+/// Runs work(0) and work(1) beside each other; throws what they throw.
+template <class Work>
+void inHalves(const Work& work) {
+  auto first = std::async(std::launch::async, [&] { work(0); });
+  work(1);
+  first.get();
+}
+
 }  // namespace
 
 EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
@@ -22,28 +30,39 @@ EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
 void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
                               const ModelParameters& parameters,
                               std::span<const Eigen::Vector3f> masked, const DepthView* view) {
-  // Two bands of rows that share nothing, so that the result does not depend on timing.
-  const Evidence evidence{points, masked, view};
-  const int middle = m_geometry.rows() / 2;
-  auto upper = std::async(std::launch::async, [&] { updateRows(0, middle, evidence, parameters); });
-  updateRows(middle, m_geometry.rows(), evidence, parameters);
-  upper.get();
+  // The points of an organised cloud come from the top of the picture to its bottom, so that most
+  // of a half's points lie in that half of the rows.
+  const std::size_t middle = points.size() / 2;
+  const std::span<const Eigen::Vector3f> halves[] = {points.first(middle), points.subspan(middle)};
+  inHalves([&](int half) {
+    if (m_geometry.isPerspective()) {
+      project<true>(half, halves[half]);
+    } else {
+      project<false>(half, halves[half]);
+    }
+  });
+  inHalves([&](int half) { updateRows(half, masked, view, parameters); });
   ++m_frames;
 }
 
-void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
-                                  const ModelParameters& parameters) {
-  projectRows(begin, end, evidence.points);
-  std::vector<HiddenCell> hidden = hiddenCells(begin, end, evidence);
+EnvironmentModel::Cells EnvironmentModel::cellsOf(int half) const {
+  const std::size_t middle = m_geometry.index(0, m_geometry.rows() / 2);
+  return half == 0 ? Cells{0, middle} : Cells{middle, m_geometry.cellCount()};
+}
+
+void EnvironmentModel::updateRows(int half, std::span<const Eigen::Vector3f> masked,
+                                  const DepthView* view, const ModelParameters& parameters) {
+  for (const SeenCell& seen : m_strays[1 - half]) see(seen);
+  const Cells cells = cellsOf(half);
+  std::vector<HiddenCell> hidden = hiddenCells(cells, masked, view);
   std::erase_if(
       hidden, [least = static_cast<float>(waning * parameters.probtresh)](const HiddenCell& cell) {
         return cell.level > 0 && cell.probability < least;
       });
-  const std::size_t first = m_geometry.index(0, begin);
-  const std::size_t count = m_geometry.index(0, end) - first;
-  updateCells(std::span(m_probabilities).subspan(first, count),
-              std::span(m_levels).subspan(first, count),
-              std::span(m_nearness).subspan(first, count), parameters);
+  const std::size_t count = cells.end - cells.begin;
+  updateCells(std::span(m_probabilities).subspan(cells.begin, count),
+              std::span(m_levels).subspan(cells.begin, count),
+              std::span(m_nearness).subspan(cells.begin, count), parameters);
   for (const HiddenCell& cell : hidden) {
     m_probabilities[cell.index] = cell.probability;
     m_levels[cell.index] = cell.level;
@@ -51,16 +70,16 @@ void EnvironmentModel::updateRows(int begin, int end, const Evidence& evidence,
 }
 
 std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
-    int begin, int end, const Evidence& evidence) const {
+    const Cells& cells, std::span<const Eigen::Vector3f> masked, const DepthView* view) const {
   std::vector<HiddenCell> hidden;
-  for (const Eigen::Vector3f& point : evidence.masked) {
+  for (const Eigen::Vector3f& point : masked) {
     const double toPlane = m_geometry.toPlane(point.z());
     const double row = m_geometry.rowPosition(point.y() * toPlane);
     const double column = m_geometry.columnPosition(point.x() * toPlane);
-    if (!(row >= begin && row < end && column >= 0.0 && column < m_geometry.columns())) continue;
+    if (!m_geometry.covers(column, row)) continue;
     const auto i = static_cast<int>(column), j = static_cast<int>(row);
     const std::size_t k = m_geometry.index(i, j);
-    if (m_nearness[k] == 0 && isHidden(i, j, point.z(), evidence.view)) {
+    if (cells.contain(k) && m_nearness[k] == 0 && isHidden(i, j, point.z(), view)) {
       hidden.push_back({k, m_probabilities[k], m_levels[k]});
     }
   }
@@ -78,29 +97,48 @@ bool EnvironmentModel::isHidden(int column, int row, double z, const DepthView* 
   return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), room);
 }
 
-void EnvironmentModel::projectRows(int begin, int end, std::span<const Eigen::Vector3f> points) {
-  // Copies: the stores below cannot change them, so they stay in registers.
-  const GridGeometry grid = m_geometry;
+/// Half of the time of an update at small cells: what is known beforehand stays out of the loop.
+template <bool perspective>
+void EnvironmentModel::project(int half, std::span<const Eigen::Vector3f> points) {
+  const GridGeometry grid = m_geometry;  // a copy: the stores below cannot change it
+  const Bounds bounds = grid.bounds();
+  const Cells own = cellsOf(half);
+  const double columns = grid.columns(), rows = grid.rows();
+  const double nearest = bounds.zMin, farthest = bounds.zMax;
   std::uint8_t* const nearness = m_nearness.data();
   float* const probabilities = m_probabilities.data();
-  const double columns = grid.columns();
-  const Bounds& bounds = grid.bounds();
-  const bool perspective = grid.isPerspective();
+  std::vector<SeenCell>& strays = m_strays[half];
+  strays.clear();
   for (const Eigen::Vector3f& point : points) {
-    const double toPlane = grid.toPlane(point.z());
+    const double z = point.z();
+    const double toPlane = perspective ? grid.toPlane(z) : 1.0;
     const double row = grid.rowPosition(point.y() * toPlane);        // Eq. (11)
     const double column = grid.columnPosition(point.x() * toPlane);  // Eq. (10)
     // Written so that a NaN fails, and that nothing is converted that does not fit.
-    if (!(row >= begin && row < end && column >= 0.0 && column < columns)) continue;
+    if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) continue;
     const std::size_t k = grid.index(static_cast<int>(column), static_cast<int>(row));
-    const double z = point.z();
-    if (perspective ? bounds.contains(point) : z >= bounds.zMin && z <= bounds.zMax) {
+    std::uint8_t here = 0;
+    if (perspective ? bounds.contains(point) : z >= nearest && z <= farthest) {
       // Nearer is larger, so that 0 can mean "not measured" and the nearest wins by a maximum.
-      const auto here = static_cast<std::uint8_t>(256 - grid.levelOf(z));
+      here = static_cast<std::uint8_t>(256 - grid.levelOf(z));
+    } else if (!(z > (perspective ? nearest : farthest) && std::isfinite(z))) {
+      continue;
+    }
+    if (!own.contain(k)) {
+      strays.push_back({k, here});
+    } else if (here > 0) {
       nearness[k] = std::max(nearness[k], here);
-    } else if (z > (perspective ? bounds.zMin : bounds.zMax) && std::isfinite(z)) {
+    } else {
       probabilities[k] = std::max(probabilities[k], seenThrough);
     }
+  }
+}
+
+void EnvironmentModel::see(const SeenCell& seen) {
+  if (seen.nearness > 0) {
+    m_nearness[seen.index] = std::max(m_nearness[seen.index], seen.nearness);
+  } else {
+    m_probabilities[seen.index] = std::max(m_probabilities[seen.index], seenThrough);
   }
 }
 

@@ -57,25 +57,39 @@ class EnvironmentModel {
   void set(int column, int row, float probability, std::uint8_t level);
 
  private:
-  struct Evidence {
-    std::span<const Eigen::Vector3f> points;
-    std::span<const Eigen::Vector3f> masked;
-    const DepthView* view;
+  /// A stretch of cells, by index.
+  struct Cells {
+    std::size_t begin, end;
+    bool contain(std::size_t k) const { return k >= begin && k < end; }
+  };
+  /// What one point says of a cell: 256 - level, or 0 when it was looked through.
+  struct SeenCell {
+    std::size_t index;
+    std::uint8_t nearness;
   };
   struct HiddenCell {
     std::size_t index;
     float probability;
     std::uint8_t level;
   };
-  void updateRows(int begin, int end, const Evidence& evidence, const ModelParameters& parameters);
-  void projectRows(int begin, int end, std::span<const Eigen::Vector3f> points);
-  std::vector<HiddenCell> hiddenCells(int begin, int end, const Evidence& evidence) const;
+  // An update runs on two threads. Each projects half of the points into its own half of the rows
+  // (what falls into the other is kept as strays), then, when both are done, updates its rows: no
+  // cell is shared, and the result does not depend on timing.
+  Cells cellsOf(int half) const;
+  template <bool perspective>
+  void project(int half, std::span<const Eigen::Vector3f> points);
+  void see(const SeenCell& seen);
+  void updateRows(int half, std::span<const Eigen::Vector3f> masked, const DepthView* view,
+                  const ModelParameters& parameters);
+  std::vector<HiddenCell> hiddenCells(const Cells& cells, std::span<const Eigen::Vector3f> masked,
+                                      const DepthView* view) const;
   bool isHidden(int column, int row, double z, const DepthView* view) const;
 
   GridGeometry m_geometry;
   std::vector<float> m_probabilities;
   std::vector<std::uint8_t> m_levels;
   std::vector<std::uint8_t> m_nearness;  ///< this frame: 256 - level; scratch, 0 between updates
+  std::vector<SeenCell> m_strays[2];     ///< this frame, of each half of the points; scratch
   std::size_t m_frames = 0;
 };
 

@@ -84,6 +84,11 @@ class GridGeometry {
   /// rounded, so that a hot loop can compare before it converts.
   double columnPosition(double x) const { return (x - m_plane.left) * m_cellsPerMetre + onEdge; }
   double rowPosition(double y) const { return (y - m_plane.top) * m_cellsPerMetre + onEdge; }
+  /// Whether a position in cells lies in the grid, and so fits an integer; a NaN does not.
+  bool covers(double columnPosition, double rowPosition) const {
+    return rowPosition >= 0.0 && rowPosition < m_rows && columnPosition >= 0.0 &&
+           columnPosition < m_columns;
+  }
   /// Any number will do; one far outside the bounds (or NaN) gives a column far outside.
   int columnOf(double x) const { return whole(columnPosition(x)); }
   int rowOf(double y) const { return whole(rowPosition(y)); }

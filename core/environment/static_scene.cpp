@@ -38,37 +38,52 @@ void takeOut(const OrientedBox& load, Points& points, Points& removed) {
   });
 }
 
+Vector3f reprojected(Vector3f p, const FilterParameters& filter) {
+  if (filter.zReprojection) p.z() = static_cast<float>(*filter.zReprojection);
+  return p;
+}
+
+Clusters clustersOf(const Points& points, const Parameters& parameters) {
+  const double tolerance =
+      std::max(parameters.filter.clusterTolerance, 2.0 * parameters.model.resolution);
+  return euclideanClusters(points, static_cast<float>(tolerance));
+}
+
 }  // namespace
 
-StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& tool,
-                           const std::optional<OrientedBox>& load, const Parameters& parameters,
-                           const CraneMemory& memory) {
+SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters) {
   const FilterParameters& filter = parameters.filter;
   const Bounds& bounds = parameters.bounds;
-  StaticScene scene;
-  Points points;
-  crop(cloud, bounds, parameters.model.projection, points, scene.beyond);
-
-  const auto reprojected = [&](Vector3f p) {
-    if (filter.zReprojection) p.z() = static_cast<float>(*filter.zReprojection);
-    return p;
-  };
-  std::transform(points.begin(), points.end(), points.begin(), reprojected);
+  SegmentedCloud segments;
+  Points inside;
+  crop(cloud, bounds, parameters.model.projection, inside, segments.beyond);
+  for (Vector3f& p : inside) p = reprojected(p, filter);
   const Eigen::Vector3d corner(bounds.xMin, bounds.yMin, bounds.zMin);
-  points = voxelCentroids(points, parameters.model.resolution, corner.cast<float>());
-  if (filter.lowPass) points = withoutOutliers(points, filter, scene.noise);
+  segments.points = voxelCentroids(inside, parameters.model.resolution, corner.cast<float>());
+  if (filter.lowPass) {
+    segments.points = withoutOutliers(segments.points, filter, segments.noise);
+  }
+  segments.clusters = clustersOf(segments.points, parameters);
+  return segments;
+}
 
-  const double tolerance = std::max(filter.clusterTolerance, 2.0 * parameters.model.resolution);
-  Clusters clusters = euclideanClusters(points, static_cast<float>(tolerance));
+StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
+                           const std::optional<Vector3f>& tool,
+                           const std::optional<OrientedBox>& load, const Parameters& parameters,
+                           const CraneMemory& memory) {
+  auto& [points, clusters, beyond, noise] = segments;
+  StaticScene scene;
+  scene.beyond = std::move(beyond);
+  scene.noise = std::move(noise);
   CraneMask crane;
   if (tool) {
-    const Vector3f at = reprojected(*tool);
+    const Vector3f at = reprojected(*tool, parameters.filter);
     crane = craneMask(points, clusters, cloud, at, load, parameters, memory);
     if (crane.state == ToolMask::TooLarge && load) {
       // The load is at the ground or the like, and the tool hangs together with it by the load
       // only.
       takeOut(*load, points, scene.removed);
-      clusters = euclideanClusters(points, static_cast<float>(tolerance));
+      clusters = clustersOf(points, parameters);
       crane = craneMask(points, clusters, cloud, at, load, parameters, memory);
     }
   }
@@ -77,7 +92,7 @@ StaticScene separateStatic(const Cloud& cloud, const std::optional<Vector3f>& to
   crane.parts.resize(clusters.sizes.size(), CranePart::None);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
-    if (clusters.sizes[label] < filter.clusterMinimum) {
+    if (clusters.sizes[label] < parameters.filter.clusterMinimum) {
       scene.noise.push_back(points[i]);
       continue;
     }

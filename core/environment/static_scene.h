@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "environment/clusters.h"
 #include "environment/crane_mask.h"
 #include "frame/cloud.h"
 #include "frame/oriented_box.h"
@@ -25,18 +26,37 @@ struct StaticScene {
   Points noise;
 };
 
-/// Filtering and segmentation in the order of method.md section 5: crop, z-reprojection,
-/// downsample to R, low-pass, Euclidean clusters, small clusters go, the dynamic volume (the AABB
-/// of the tool's cluster, and the load's box) goes. Pure.
+/// A cloud filtered and cut into what hangs together: all of section 5's order that needs to know
+/// neither tool nor load.
+struct SegmentedCloud {
+  Points points;      ///< inside the bounds, downsampled to R, without outliers
+  Clusters clusters;  ///< of them
+  Points beyond;      ///< as in StaticScene
+  Points noise;       ///< what the low-pass dropped
+};
+
+/// Crop, z-reprojection, downsample to R, low-pass, Euclidean clusters (method.md section 5). Pure.
 ///
 /// Points belong together that are nearer than the cluster tolerance or 2 R, whichever is more:
 /// downsampling to R leaves neighbours up to that far apart, and a surface must not fall to pieces.
+SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters);
+
+/// What comes after it: small clusters go, the dynamic volume (the AABB of the tool's cluster, and
+/// the load's box) goes. `segments` are those of `cloud` with the same parameters. Pure.
 ///
 /// Which clusters are the crane: see craneMask. Where its cluster is too large, it is looked for
 /// once more among the points that are not the load's. Without a load nothing is taken for it. With
 /// z-reprojection the tool point moves as the points do; the load's box stays where it is.
-StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
+StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
+                           const std::optional<Eigen::Vector3f>& tool,
                            const std::optional<OrientedBox>& load, const Parameters& parameters,
                            const CraneMemory& memory = {});
+
+/// Both.
+inline StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
+                                  const std::optional<OrientedBox>& load,
+                                  const Parameters& parameters, const CraneMemory& memory = {}) {
+  return separateStatic(segmentCloud(cloud, parameters), cloud, tool, load, parameters, memory);
+}
 
 }  // namespace boomwatch

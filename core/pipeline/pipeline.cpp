@@ -80,7 +80,7 @@ struct Pipeline::State {
   std::future<void> look(const Result& result);
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<OrientedBox> findLoad(Result& result);
-  StaticScene separate(const Result& result);
+  StaticScene separate(SegmentedCloud segments, const Result& result);
   bool isEvidence(const Result& result, Reason frameFault);
   Reason whyNothing(const Result& result, Reason frameFault) const;
   void judge(Result& result, Reason frameFault) const;
@@ -116,6 +116,8 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
       std::launch::async, [&state, frame, image = result.image, cloud = result.cloud, &parameters] {
         return state.checks.examine(frame, image, *cloud, parameters.validity);
       });
+  SegmentedCloud segments = segmentCloud(*result.cloud, parameters);
+  clock.lap("filter");
   if (looking.valid()) looking.get();
   result.tool = state.tool.locate(*state.whole, frame->stamp, parameters.tracking);
   clock.lap("tool");
@@ -123,9 +125,9 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.loadVolume = state.findLoad(result);
   clock.lap("load");
 
-  result.scene = state.separate(result);
+  result.scene = state.separate(std::move(segments), result);
   result.removedShare = removedShare(result.scene);
-  clock.lap("filter");
+  clock.lap("crane");
 
   const FrameChecks::Verdict verdict = checking.get();
   result.fill = verdict.fill;
@@ -164,8 +166,10 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     const RectifiedPair pair =
         stereo.rectify(frame.left, frame.right, *frame.rig, result.parameters.stereo);
     result.image = pair.left;
-    looking = look(result);
     StereoResult stereoResult = stereo.match(pair, result.parameters.stereo);
+    // Not beside the matching: OpenCV keeps to one thread where anybody else is in one of its
+    // parallel loops, and the matcher would take twice as long.
+    looking = look(result);
     result.cloud = stereoResult.surfaces;
     whole = stereoResult.cloud;
     result.rowResidue = stereoResult.rowResidue;
@@ -174,11 +178,12 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     return true;
   } catch (const Error& fault) {
     result.message = fault.what();
+    if (!result.image.empty()) looking = look(result);  // the tool goes on meanwhile
     return false;
   }
 }
 
-/// The tracker and the stereo matcher need only the picture: one works while the other does.
+/// The tracker needs only the picture: it works while the cloud is taken apart.
 std::future<void> Pipeline::State::look(const Result& result) {
   tool.offer(result.frame->tool, result.parameters.tracking.tracker);
   if (!tool.needsImage()) return {};
@@ -213,10 +218,10 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   return dynamicVolume(*result.load, margin, noise);
 }
 
-StaticScene Pipeline::State::separate(const Result& result) {
+StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& result) {
   craneMemory.forgetBefore(result.frame->stamp);
-  StaticScene scene = separateStatic(*result.cloud, result.tool.point, result.loadVolume,
-                                     result.parameters, craneMemory);
+  StaticScene scene = separateStatic(std::move(segments), *result.cloud, result.tool.point,
+                                     result.loadVolume, result.parameters, craneMemory);
   craneMemory.note(result.frame->stamp, scene.toolCluster);
   craneMemory.note(result.frame->stamp, scene.boomCut);
   return scene;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numeric>
 #include <opencv2/core/hal/hal.hpp>
 #include <opencv2/features2d.hpp>
@@ -173,10 +174,11 @@ Track CmtTracker::track(const cv::Mat& image) {
   cv::Mat grey;
   if (isTrackable(image)) {
     grey = greyOf(image);
+    auto following = std::async(std::launch::async, [&] { return followed(grey); });
     const KeypointFeatures seen =
         m_extractor.extract(grey, seenBefore ? grown(m_box) : cv::Rect2d());
     std::vector<KeypointPair> points = matched(seen);
-    for (const KeypointPair& point : followed(grey)) {
+    for (const KeypointPair& point : following.get()) {
       if (std::ranges::find(points, point.id, &KeypointPair::id) == points.end()) {
         points.push_back(point);
       }

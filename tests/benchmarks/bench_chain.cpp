@@ -5,6 +5,7 @@
 #include <string>
 
 #include "benchmark.h"
+#include "frame/freed_memory.h"
 #include "pipeline/parameter_table.h"
 #include "pipeline/pipeline.h"
 #include "stereo/stereo_rig.h"
@@ -129,6 +130,7 @@ void compare(const std::string& tracker, const std::vector<FramePtr>& recorded) 
 }  // namespace
 
 int main() {
+  boomwatch::keepFreedMemory();  // as the program does; the peer has it, too
   const auto recorded = recording();
   for (const char* tracker : {"", "tld", "klt", "cmt", "csrt"}) compare(tracker, recorded);
   return 0;

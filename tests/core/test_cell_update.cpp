@@ -72,6 +72,36 @@ class PlainCell {
   ModelParameters m_parameters;
 };
 
+/// One cell, one frame of hysteresis; `nearness` is 256 - level of what was measured, or 0.
+void stepPlainly(float& probability, std::uint8_t& level, int nearness,
+                 const ModelParameters& parameters) {
+  const auto kept = static_cast<float>(parameters.pPost);
+  const auto hit = static_cast<float>(parameters.pPrior);
+  const auto leave = static_cast<float>(parameters.leaveThreshold);
+  const int measured = nearness > 0 ? 256 - nearness : 0;
+  const bool both = measured > 0 && level > 0;
+  const bool before = both && level - measured > sameSurface;
+  const bool behind = both && measured - level > sameSurface;
+  const bool same = measured > 0 && !before && !behind;
+  float seenOften = 0.0F;
+  auto leftOfSurface = static_cast<float>(parameters.pPrior / (1.0 - parameters.pPost)) * 1.001F;
+  for (int n = framesToEnter(parameters).value(); n > 0; --n) {
+    seenOften = kept * seenOften + hit;
+    leftOfSurface *= kept;
+  }
+  const float updated = kept * probability + (same ? hit : 0.0F);
+  const bool replaced = (before && updated <= leftOfSurface) || (behind && updated <= leave);
+  probability = replaced ? seenOften : updated < observedFloor ? 0.0F : updated;
+  const bool occupied =
+      probability > (level > 0 ? leave : static_cast<float>(parameters.probtresh));
+  if (replaced || (same && level == 0)) {
+    level = static_cast<std::uint8_t>(measured);
+  } else if (same && measured != level) {
+    level = static_cast<std::uint8_t>(level + (measured > level ? 1 : -1));
+  }
+  if (!occupied) level = 0;
+}
+
 }  // namespace
 
 class TestCellUpdate : public QObject {
@@ -145,6 +175,36 @@ class TestCellUpdate : public QObject {
     QCOMPARE(framesUntilLevel(193, 200, {{at(200)}}), 6);
     const Points close{at(193)};
     QCOMPARE(framesUntilLevel(200, 193, {close, close, close, ground, ground, ground}), -1);
+  }
+
+  // The rule as its header words it, one cell at a time, against what is computed in blocks.
+  void hysteresisOfAnyLevelsEqualsItsRule() {
+    const ModelParameters parameters = with(ModelUpdate::Hysteresis);
+    constexpr std::size_t cells = 1300;  // two blocks and a bit
+    std::vector<float> probabilities(cells), expected(cells);
+    std::vector<std::uint8_t> levels(cells), expectedLevels(cells), nearness(cells);
+    std::mt19937 random(5);
+    int surfaces = 0;
+    for (int frame = 0; frame < 400; ++frame) {
+      for (std::size_t k = 0; k < cells; ++k) {
+        // A surface with noise that is missed at times, and now and then for long; blank cells,
+        // too.
+        const int about = 20 + static_cast<int>(k % 13) * 18 + (frame / 60 % 2 == 0 ? 0 : 12);
+        const bool seen = k % 7 != 0 && frame % 90 < 75 && random() % 5 > 0;
+        const int level = random() % 6 == 0 ? 1 + static_cast<int>(random() % 255)
+                                            : about - 2 + static_cast<int>(random() % 5);
+        nearness[k] = static_cast<std::uint8_t>(seen ? 256 - std::clamp(level, 1, 255) : 0);
+        stepPlainly(expected[k], expectedLevels[k], nearness[k], parameters);
+      }
+      updateCells(probabilities, levels, nearness, parameters);
+      for (std::size_t k = 0; k < cells; ++k) {
+        QCOMPARE(probabilities[k], expected[k]);
+        QCOMPARE(int{levels[k]}, int{expectedLevels[k]});
+        QCOMPARE(int{nearness[k]}, 0);
+        surfaces += levels[k] > 0;
+      }
+    }
+    QVERIFY(surfaces > 100'000);
   }
 
   void logOddsEnterAndLeaveAsTheirClampsSay() {

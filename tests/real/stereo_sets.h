@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "numpy_archive.h"
 #include "real_data.h"
 #include "stereo/calibration.h"
 
@@ -24,8 +25,12 @@ struct StereoSet {
 /// none.
 inline cv::Mat readTruth(const QString& file, double scale) {
   cv::Mat stored, truth;
-  // Some sets store grey in three channels.
-  cv::extractChannel(cv::imread(file.toStdString(), cv::IMREAD_UNCHANGED), stored, 0);
+  if (file.endsWith(QLatin1String(".npz"))) {
+    stored = readNumpyImage(file);
+  } else {
+    // Some sets store grey in three channels.
+    cv::extractChannel(cv::imread(file.toStdString(), cv::IMREAD_UNCHANGED), stored, 0);
+  }
   stored.convertTo(truth, CV_32F, 1.0 / scale);
   for (float& d : cv::Mat_<float>(truth)) {
     if (!(d > 0.0F && d < 1e4F)) d = std::numeric_limits<float>::quiet_NaN();
@@ -60,6 +65,18 @@ inline void addSet(std::vector<StereoSet>& sets, const QString& name, const QStr
   sets.push_back(std::move(set));
 }
 
+/// The motorcycle's calibration, which scikit-image publishes beside the pair, at its size.
+inline StereoRig motorcycleRig(const cv::Mat& image) {
+  StereoRig rig;
+  rig.imageSize = image.size();
+  rig.rectified = true;
+  rig.leftMatrix = cv::Matx33d(994.978, 0, 311.193, 0, 994.978, 254.877, 0, 0, 1);
+  rig.rightMatrix = rig.leftMatrix;
+  rig.rightMatrix(0, 2) += 31.086;
+  rig.translation = {-0.193001, 0, 0};
+  return rig;
+}
+
 /// Every pair with truth that this machine has: Debian's own and the recordings.
 inline std::vector<StereoSet> stereoSetsWithTruth() {
   std::vector<StereoSet> sets;
@@ -79,6 +96,14 @@ inline std::vector<StereoSet> stereoSetsWithTruth() {
     const QString folder = middlebury + scene + QLatin1Char('/');
     addSet(sets, scene, folder + QStringLiteral("im2.png"), folder + QStringLiteral("im6.png"),
            folder + QStringLiteral("disp2.png"), scale, 64);
+  }
+  const QString motorcycle =
+      sharedData(QStringLiteral("stereo_gt_middlebury/motorcycle/motorcycle_"));
+  addSet(sets, QStringLiteral("motorcycle"), motorcycle + QStringLiteral("left.png"),
+         motorcycle + QStringLiteral("right.png"), motorcycle + QStringLiteral("disp.npz"), 1.0,
+         64);
+  if (!sets.empty() && sets.back().name == QLatin1String("motorcycle")) {
+    sets.back().rig = motorcycleRig(sets.back().left);
   }
   const QString kitti = sharedData(QStringLiteral("stereo_gt_kitti2012/"));
   const QString calibration =

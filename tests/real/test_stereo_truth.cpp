@@ -59,12 +59,13 @@ Wrong wrongPixels(const cv::Mat& disparity, const cv::Mat& truth) {
 Points truthCloud(const StereoSet& set, int first) {
   const double f = set.rig.leftMatrix(0, 0);
   const double cx = set.rig.leftMatrix(0, 2), cy = set.rig.leftMatrix(1, 2);
+  const double shift = set.rig.rightMatrix(0, 2) - cx;
   Points points;
   for (int row = 0; row < set.truth.rows; ++row) {
     for (int column = first; column < set.truth.cols; ++column) {
       const double d = set.truth.at<float>(row, column);
       if (!std::isfinite(d)) continue;
-      const double z = f * set.rig.baseline() / d;
+      const double z = f * set.rig.baseline() / (d + shift);
       points.emplace_back(
           Eigen::Vector3d((column - cx) * z / f, (row - cy) * z / f, z).cast<float>());
     }

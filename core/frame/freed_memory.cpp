@@ -1,0 +1,18 @@
+#include "frame/freed_memory.h"
+
+#include <cstdlib>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace boomwatch {
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int mebibyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // larger than any array of a frame
+  mallopt(M_TRIM_THRESHOLD, 512 * mebibyte);
+#endif
+}
+
+}  // namespace boomwatch
