@@ -266,10 +266,13 @@ class ChartPainter {
       m_painter.drawText(QRectF(x - half, plot.bottom() + 2, 2 * half, metrics.height()),
                          Qt::AlignCenter, tick.text);
     }
+    double written = 1e9;
     for (const auto& tick : m_y.ticks()) {
       const double y = yOf(tick.value);
       m_painter.setPen(QPen(m_colours.faint, tick.text.isEmpty() ? 0.3 : 0.8));
       m_painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+      if (tick.text.isEmpty() || std::abs(y - written) < 0.9 * metrics.height()) continue;
+      written = y;
       m_painter.setPen(m_colours.ink);
       m_painter.drawText(QRectF(m_area.left(), y - metrics.height() / 2,
                                 plot.left() - m_area.left() - gap / 2, metrics.height()),

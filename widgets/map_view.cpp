@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -221,19 +222,23 @@ void MapView::drawOverlay(QPainter& painter) const {
   }
 }
 
-/// A hollow square about each cell that is too small to count: it is there, and it is left out.
+/// A line around the cells that are too small to count: they are there, and they are left out.
 void MapView::drawSuppressed(QPainter& painter) const {
   constexpr std::size_t most = 2000;  // more would hide the map, and take their time
   const auto& cells = m_display->result->suppressed;
   const auto columns = static_cast<std::size_t>(model()->geometry().columns());
-  painter.setPen(QPen(themeFor(palette()).canvasText, 1.0));
-  painter.setBrush(Qt::NoBrush);
+  QRegion all;
   for (std::size_t n = 0; n < std::min(cells.size(), most); ++n) {
     const QPointF cell(static_cast<double>(cells[n] % columns),
                        static_cast<double>(cells[n] / columns));
     const QRectF square(m_origin + cell * m_scale, QSizeF(m_scale, m_scale));
-    painter.drawRect(square.adjusted(-2, -2, 2, 2));
+    all += square.adjusted(-2, -2, 2, 2).toAlignedRect();
   }
+  QPainterPath outline;
+  outline.addRegion(all);
+  painter.setPen(QPen(themeFor(palette()).canvasText, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(outline.simplified());
 }
 
 void MapView::drawStrip(QPainter& painter) const {

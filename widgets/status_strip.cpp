@@ -43,16 +43,17 @@ QString validityDetail(const Result& result) {
 
 StatusStrip::StatusStrip(QWidget* parent) : QStatusBar(parent) {
   setSizeGripEnabled(false);
+  setMinimumWidth(1);  // its fields must not keep the window from being narrower
   m_rate = addField(tr("%1 fps").arg(number(9999.9, 1)));
   m_latency = addField(tr("%1 ms frame to bar").arg(number(99999, 0)));
   m_dropped = addField(tr("not shown %1, lost %2").arg(99999).arg(99999));
   m_dropped->setToolTip(
       tr("Frames that were processed but replaced before they could be shown, and frames of a "
          "live source that nobody read"));
-  auto* stages = new QWidget;
-  m_stageRow = new QHBoxLayout(stages);
+  m_stageFields = new QWidget;
+  m_stageRow = new QHBoxLayout(m_stageFields);
   m_stageRow->setContentsMargins(0, 0, 0, 0);
-  addWidget(stages);
+  addWidget(m_stageFields);
   m_validity = new QLabel;
   addPermanentWidget(m_validity);
   setRate(0.0);
@@ -71,7 +72,21 @@ QLabel* StatusStrip::stageField(std::string_view stage) {
   QLabel* label = fixedField(tr("%1 %2").arg(stageText(stage), number(99999, 0)));
   label->setToolTip(tr("Milliseconds that this stage took for the last frame"));
   m_stageRow->addWidget(label);
+  m_stageRow->activate();
+  fitStages();
   return m_stages.emplace(std::string(stage), label).first->second;
+}
+
+/// Whether they are shown depends on the window alone, not on what the other fields say.
+void StatusStrip::fitStages() {
+  const int validity = fontMetrics().averageCharWidth() * 36;
+  const int others = m_rate->width() + m_latency->width() + m_dropped->width() + validity;
+  m_stageFields->setVisible(others + m_stageRow->sizeHint().width() <= width());
+}
+
+void StatusStrip::resizeEvent(QResizeEvent* event) {
+  QStatusBar::resizeEvent(event);
+  fitStages();
 }
 
 void StatusStrip::showResult(const Result& result) {

@@ -11,7 +11,8 @@ class QLabel;
 
 namespace boomwatch {
 
-/// The line of figures at the foot of the window. Every field keeps its width. GUI thread.
+/// The line of figures at the foot of the window. Every field keeps its width; where all have no
+/// room the stages' go. GUI thread.
 class StatusStrip : public QStatusBar {
   Q_OBJECT
 
@@ -29,10 +30,15 @@ class StatusStrip : public QStatusBar {
 
   QString validityText() const;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fitStages();
   QLabel* addField(const QString& widest);
   QLabel* stageField(std::string_view stage);
 
+  QWidget* m_stageFields = nullptr;
   QHBoxLayout* m_stageRow = nullptr;
   QLabel* m_rate = nullptr;
   QLabel* m_latency = nullptr;

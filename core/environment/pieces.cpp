@@ -7,6 +7,13 @@
 namespace boomwatch {
 namespace {
 
+/// How many cells on is a neighbour. The pixels are some centimetres apart on what they see: where
+/// cells are smaller, rows of them stay empty, and a trunk must not fall to pieces for that.
+int reachOf(const GridGeometry& geometry) {
+  constexpr double apart = 0.04;  // metres: 10 m away at a focal length of 250 pixels
+  return std::max(1, static_cast<int>(std::ceil(apart / geometry.resolution() - 1e-6)));
+}
+
 /// The least and the greatest column, row and depth level of a piece.
 struct Extent {
   int left = INT32_MAX, right = 0, top = INT32_MAX, bottom = 0, front = INT32_MAX, back = 0;
@@ -74,25 +81,33 @@ void Pieces::rebuild(const EnvironmentModel& model, double tolerance) {
 
 void Pieces::label(const EnvironmentModel& model, int tolerance) {
   const auto levels = model.levels();
-  const int columns = m_geometry.columns();
+  const int columns = m_geometry.columns(), reach = reachOf(m_geometry);
   m_labels.assign(levels.size(), none);
   Joins joins;
+  // Of each column the last row above this one in which anything is occupied.
+  std::vector<int> last(static_cast<std::size_t>(columns), -reach - 1);
   for (int row = 0; row < m_geometry.rows(); ++row) {
+    int left = -reach - 1;  // the last occupied column of this row
     for (int column = 0; column < columns; ++column) {
       const std::size_t k = m_geometry.index(column, row);
       if (levels[k] == 0) continue;
       std::int32_t label = none;
       const auto touch = [&](std::size_t other) {
-        if (m_labels[other] == none || std::abs(levels[other] - levels[k]) > tolerance) return;
+        if (std::abs(levels[other] - levels[k]) > tolerance) return;
         label = label == none ? m_labels[other] : joins.join(label, m_labels[other]);
       };
-      // Half of the eight neighbours; the other half find this one.
-      const auto above = k - static_cast<std::size_t>(columns);
-      if (column > 0) touch(k - 1);
-      if (row > 0 && column > 0) touch(above - 1);
-      if (row > 0) touch(above);
-      if (row > 0 && column + 1 < columns) touch(above + 1);
+      // Half of the neighbours, of a column or row the nearest; the other half find this one.
+      if (column - left <= reach) touch(m_geometry.index(left, row));
+      const int end = std::min(column + reach, columns - 1);
+      for (int i = std::max(column - reach, 0); i <= end; ++i) {
+        const int above = last[static_cast<std::size_t>(i)];
+        if (row - above <= reach) touch(m_geometry.index(i, above));
+      }
       m_labels[k] = label == none ? joins.add() : label;
+      left = column;
+    }
+    for (int column = 0; column < columns; ++column) {
+      if (levels[m_geometry.index(column, row)] != 0) last[static_cast<std::size_t>(column)] = row;
     }
   }
   const auto [names, count] = joins.numbered();

@@ -11,8 +11,8 @@
 namespace boomwatch {
 
 /// The occupied cells of a model, put together to connected pieces: what stands behind a distance
-/// is not its nearest cell alone. Two of the eight neighbours belong together when their surfaces
-/// differ in depth by no more than a tolerance.
+/// is not its nearest cell alone. Neighbours, one of the eight or not more than 4 cm on, belong
+/// together when their surfaces differ in depth by no more than a tolerance.
 ///
 /// rebuild() after an update of the model; everything else is const and may be read by several
 /// threads at once. 4 bytes a cell.

@@ -55,6 +55,7 @@ class TestPieces : public QObject {
   void whatIsSmallIsNamed();
   void whatIsNotLargeMustBeCertain();
   void nothingIsBehindAFreeCell();
+  void cellsFinerThanThePixelsAreOnePiece();
 };
 
 void TestPieces::equalsAWalkFromCellToCell() {
@@ -138,6 +139,27 @@ void TestPieces::whatIsNotLargeMustBeCertain() {
   QVERIFY(pieces.doubtful({.doubtful = 0.4, .certain = p - 0.01}).empty());
   QCOMPARE(pieces.doubtful({.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{24});
   QVERIFY(pieces.doubtful({.doubtful = 0.1, .certain = p + 0.01}).empty());
+}
+
+/// A trunk 0.2 m wide and 9 m away, seen with 700 pixels: rows of cells between its pixels stay
+/// empty, and it counts from the first frame all the same. Farther than 4 cm apart is not one.
+void TestPieces::cellsFinerThanThePixelsAreOnePiece() {
+  const GridGeometry fine({0, 2, 0, 2, 0, 10}, 0.01);
+  const auto seen = [&](double apart) {
+    EnvironmentModel model(fine);
+    for (double y = 0.5; y < 1.5; y += apart) {
+      for (double x = 1.0; x < 1.2; x += apart) {
+        model.set(fine.columnOf(x), fine.rowOf(y), 0.5F, fine.levelOf(9.0));
+      }
+    }
+    Pieces pieces;
+    pieces.rebuild(model, 0.1);
+    return pieces;
+  };
+  const Pieces::Limits limits{0.0, 0.4, 0.6};
+  QCOMPARE(seen(9.0 / 700).doubtful(limits).size(), std::size_t{0});
+  QCOMPARE(seen(0.04).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 5 * 25);
+  QCOMPARE(seen(0.06).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 1);
 }
 
 void TestPieces::nothingIsBehindAFreeCell() {
