@@ -230,7 +230,9 @@ StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& res
 /// A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must
 /// one in which boom and load are taken for a part of the surroundings, be it that a leaf before
 /// the tool was taken for its point; but where that goes on, as when they touch the ground for
-/// long, they are better learnt, and warned of, than that nothing else is.
+/// long, they are better learnt, and warned of, than that nothing else is. Unless nobody is warned
+/// of anything, because no load is seen: then the tracker has gone astray, and when it has found
+/// the tool again the load would be in the middle of what the crane has taught.
 bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   const double stamp = result.frame->stamp;
   const ToolMask mask = result.scene.toolMask;
@@ -239,8 +241,9 @@ bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   } else if (!unmaskedSince || stamp < *unmaskedSince) {
     unmaskedSince = stamp;
   }
+  const bool astray = !result.load && loadSource(result) == LoadSource::Detected;
   const bool unmasked =
-      unmaskedSince && stamp - *unmaskedSince <= result.parameters.tracking.maxToolAge;
+      unmaskedSince && (astray || stamp - *unmaskedSince <= result.parameters.tracking.maxToolAge);
   return frameFault == Reason::None && !result.tool.lost() && !unmasked;
 }
 

@@ -82,6 +82,8 @@ class TestPipelineTool : public QObject {
   void withinTheLimitItIsTakenOutWhereItMustBe();
   void beyondTheLimitThereIsNoDistance();
   void aLostToolTeachesNothing();
+  void aTrackerThatHasGoneAstrayTeachesNothing_data();
+  void aTrackerThatHasGoneAstrayTeachesNothing();
   void aBoxThatDoesNotFitIsNoDistance();
   void aFaultOfTheFrameGoesFirst();
   void resetForgetsTheTool();
@@ -140,6 +142,41 @@ void TestPipelineTool::aLostToolTeachesNothing() {
   chain.frames(6);
   chain.script->see = lostTrack;
   chain.frames(40);
+  QVERIFY(!boomIsInModel(chain.pipeline));
+}
+
+void TestPipelineTool::aTrackerThatHasGoneAstrayTeachesNothing_data() {
+  QTest::addColumn<float>("depth");
+  QTest::addColumn<ToolMask>("mask");
+  QTest::newRow("on the wall") << 3.0F << ToolMask::TooLarge;
+  QTest::newRow("beyond the bounds") << 20.0F << ToolMask::NothingThere;
+}
+
+/// The box stays on something else, and the tracker is sure of it.
+void TestPipelineTool::aTrackerThatHasGoneAstrayTeachesNothing() {
+  QFETCH(float, depth);
+  QFETCH(ToolMask, mask);
+  Chain chain;
+  chain.parameters.load.source = LoadSource::Detected;
+  chain.pipeline.order(TrackBox{box});
+  chain.frames(6);
+  QVERIFY(chain.pipeline.model().frames() > 0);
+  chain.script->see = [](const cv::Mat&) {
+    return Track{TrackState::Tracked, cv::Rect2d(35, 70, 20, 20), 0.9, LearningState::None};
+  };
+  Result last;
+  for (int n = 0; n < 40; ++n) {
+    auto frame = std::make_shared<Frame>(*boomFrame(chain.sequence++));
+    auto cloud = std::make_shared<Cloud>(*frame->cloud);
+    for (int row = 65; row < 95; ++row) {
+      for (int column = 30; column < 60; ++column) {
+        cloud->points[row * 160U + column] *= depth / 3.0F;
+      }
+    }
+    frame->cloud = cloud;
+    last = chain.pipeline.process(frame, chain.parameters);
+  }
+  QCOMPARE(last.scene.toolMask, mask);
   QVERIFY(!boomIsInModel(chain.pipeline));
 }
 
