@@ -229,8 +229,8 @@ void MapView::drawSuppressed(QPainter& painter) const {
   const auto columns = static_cast<std::size_t>(model()->geometry().columns());
   QRegion all;
   for (std::size_t n = 0; n < std::min(cells.size(), most); ++n) {
-    const QPointF cell(static_cast<double>(cells[n] % columns),
-                       static_cast<double>(cells[n] / columns));
+    const std::size_t column = cells[n] % columns, row = cells[n] / columns;
+    const QPointF cell(static_cast<double>(column), static_cast<double>(row));
     const QRectF square(m_origin + cell * m_scale, QSizeF(m_scale, m_scale));
     all += square.adjusted(-2, -2, 2, 2).toAlignedRect();
   }

@@ -71,10 +71,11 @@ StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
                            const std::optional<Vector3f>& tool,
                            const std::optional<OrientedBox>& load, const Parameters& parameters,
                            const CraneMemory& memory) {
-  auto& [points, clusters, beyond, noise] = segments;
+  Points& points = segments.points;
+  Clusters& clusters = segments.clusters;
   StaticScene scene;
-  scene.beyond = std::move(beyond);
-  scene.noise = std::move(noise);
+  scene.beyond = std::move(segments.beyond);
+  scene.noise = std::move(segments.noise);
   CraneMask crane;
   if (tool) {
     const Vector3f at = reprojected(*tool, parameters.filter);
