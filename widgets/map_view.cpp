@@ -227,12 +227,16 @@ void MapView::drawSuppressed(QPainter& painter) const {
   constexpr std::size_t most = 2000;  // more would hide the map, and take their time
   const auto& cells = m_display->result->suppressed;
   const auto columns = static_cast<std::size_t>(model()->geometry().columns());
+  const std::size_t count = std::min(cells.size(), most);
   QRegion all;
-  for (std::size_t n = 0; n < std::min(cells.size(), most); ++n) {
-    const std::size_t column = cells[n] % columns, row = cells[n] / columns;
+  for (std::size_t n = 0; n < count;) {
+    const std::size_t first = n, column = cells[n] % columns, row = cells[n] / columns;
+    // Neighbours in a row at once: a region takes its time for each part.
+    while (++n < count && cells[n] == cells[n - 1] + 1 && cells[n] / columns == row) continue;
     const QPointF cell(static_cast<double>(column), static_cast<double>(row));
-    const QRectF square(m_origin + cell * m_scale, QSizeF(m_scale, m_scale));
-    all += square.adjusted(-2, -2, 2, 2).toAlignedRect();
+    const QRectF run(m_origin + cell * m_scale,
+                     QSizeF(static_cast<double>(n - first) * m_scale, m_scale));
+    if (run.intersects(mapArea())) all += run.adjusted(-2, -2, 2, 2).toAlignedRect();
   }
   QPainterPath outline;
   outline.addRegion(all);

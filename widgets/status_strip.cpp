@@ -72,7 +72,7 @@ QLabel* StatusStrip::stageField(std::string_view stage) {
   QLabel* label = fixedField(tr("%1 %2").arg(stageText(stage), number(99999, 0)));
   label->setToolTip(tr("Milliseconds that this stage took for the last frame"));
   m_stageRow->addWidget(label);
-  m_stageRow->activate();
+  m_stagesWidth += label->width() + m_stageRow->spacing();
   fitStages();
   return m_stages.emplace(std::string(stage), label).first->second;
 }
@@ -81,7 +81,7 @@ QLabel* StatusStrip::stageField(std::string_view stage) {
 void StatusStrip::fitStages() {
   const int validity = fontMetrics().averageCharWidth() * 36;
   const int others = m_rate->width() + m_latency->width() + m_dropped->width() + validity;
-  m_stageFields->setVisible(others + m_stageRow->sizeHint().width() <= width());
+  m_stageFields->setVisible(others + m_stagesWidth <= width());
 }
 
 void StatusStrip::resizeEvent(QResizeEvent* event) {

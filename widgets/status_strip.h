@@ -40,6 +40,7 @@ class StatusStrip : public QStatusBar {
 
   QWidget* m_stageFields = nullptr;
   QHBoxLayout* m_stageRow = nullptr;
+  int m_stagesWidth = 0;  ///< of its fields, shown or not
   QLabel* m_rate = nullptr;
   QLabel* m_latency = nullptr;
   QLabel* m_dropped = nullptr;

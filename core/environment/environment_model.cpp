@@ -30,8 +30,8 @@ EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
 void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
                               const ModelParameters& parameters,
                               std::span<const Eigen::Vector3f> masked, const DepthView* view) {
-  // The points of an organised cloud come from the top of the picture to its bottom, so that most
-  // of a half's points lie in that half of the rows.
+  // What comes from an organised cloud comes from the top of the picture to its bottom, so that
+  // most of a half's points lie in that half of the rows.
   const std::size_t middle = points.size() / 2;
   const std::span<const Eigen::Vector3f> halves[] = {points.first(middle), points.subspan(middle)};
   inHalves([&](int half) {
@@ -53,6 +53,7 @@ EnvironmentModel::Cells EnvironmentModel::cellsOf(int half) const {
 void EnvironmentModel::updateRows(int half, std::span<const Eigen::Vector3f> masked,
                                   const DepthView* view, const ModelParameters& parameters) {
   for (const SeenCell& seen : m_strays[1 - half]) see(seen);
+  m_strays[1 - half].clear();  // they must not go along when the model is copied
   const Cells cells = cellsOf(half);
   std::vector<HiddenCell> hidden = hiddenCells(cells, masked, view);
   std::erase_if(
@@ -108,7 +109,6 @@ void EnvironmentModel::project(int half, std::span<const Eigen::Vector3f> points
   std::uint8_t* const nearness = m_nearness.data();
   float* const probabilities = m_probabilities.data();
   std::vector<SeenCell>& strays = m_strays[half];
-  strays.clear();
   for (const Eigen::Vector3f& point : points) {
     const double z = point.z();
     const double toPlane = perspective ? grid.toPlane(z) : 1.0;

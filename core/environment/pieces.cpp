@@ -96,7 +96,7 @@ void Pieces::label(const EnvironmentModel& model, int tolerance) {
         if (std::abs(levels[other] - levels[k]) > tolerance) return;
         label = label == none ? m_labels[other] : joins.join(label, m_labels[other]);
       };
-      // Half of the neighbours, of a column or row the nearest; the other half find this one.
+      // Half of the neighbours; the other half find this one.
       if (column - left <= reach) touch(m_geometry.index(left, row));
       const int end = std::min(column + reach, columns - 1);
       for (int i = std::max(column - reach, 0); i <= end; ++i) {
@@ -118,18 +118,30 @@ void Pieces::label(const EnvironmentModel& model, int tolerance) {
 }
 
 void Pieces::measure(const EnvironmentModel& model) {
+  const int columns = m_geometry.columns(), reach = reachOf(m_geometry);
   std::vector<Extent> extents(m_pieces.size());
+  std::vector<int> last(static_cast<std::size_t>(columns), -reach - 1);
   for (int row = 0; row < m_geometry.rows(); ++row) {
-    for (int column = 0; column < m_geometry.columns(); ++column) {
+    int left = -reach - 1;
+    for (int column = 0; column < columns; ++column) {
       const std::size_t k = m_geometry.index(column, row);
       if (m_labels[k] == none) continue;
+      // A cell stands for the empty ones between it and the next of its piece.
+      const auto apart = [&](int cells, int otherColumn, int otherRow) {
+        if (cells > reach) return 1;
+        return m_labels[m_geometry.index(otherColumn, otherRow)] == m_labels[k] ? cells : 1;
+      };
+      int& above = last[static_cast<std::size_t>(column)];
+      const int cells = apart(column - left, left, row) * apart(row - above, column, above);
+      left = column;
+      above = row;
       const int level = model.levels()[k];
       const auto piece = static_cast<std::size_t>(m_labels[k]);
       extents[piece].add(column, row, level);
       ++m_pieces[piece].cells;
       m_pieces[piece].probability += static_cast<double>(model.probabilities()[k]);
       const double side = m_geometry.cellSize(m_geometry.zOf(level));
-      m_pieces[piece].area += side * side;
+      m_pieces[piece].area += cells * side * side;
     }
   }
   for (std::size_t k = 0; k < m_pieces.size(); ++k) {

@@ -11,8 +11,10 @@
 namespace boomwatch {
 
 /// The occupied cells of a model, put together to connected pieces: what stands behind a distance
-/// is not its nearest cell alone. Neighbours, one of the eight or not more than 4 cm on, belong
-/// together when their surfaces differ in depth by no more than a tolerance.
+/// is not its nearest cell alone. Two of the eight neighbours belong together when their surfaces
+/// differ in depth by no more than a tolerance. Where cells are smaller than 4 cm, so do those that
+/// many cells apart (rounded up; R is a cell's side on the model's plane) in column and row; of a
+/// column, or of a cell's own row, only the nearest is asked.
 ///
 /// rebuild() after an update of the model; everything else is const and may be read by several
 /// threads at once. 4 bytes a cell.

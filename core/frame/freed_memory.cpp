@@ -10,7 +10,7 @@ namespace boomwatch {
 void keepFreedMemory() {
 #ifdef __GLIBC__
   constexpr int mebibyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // larger than any array of a frame
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the most that glibc takes
   mallopt(M_TRIM_THRESHOLD, 512 * mebibyte);
 #endif
 }

@@ -178,7 +178,7 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     return true;
   } catch (const Error& fault) {
     result.message = fault.what();
-    if (!result.image.empty()) looking = look(result);  // the tool goes on meanwhile
+    if (!result.image.empty()) looking = look(result);  // the tool goes on all the same
     return false;
   }
 }
@@ -231,19 +231,19 @@ StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& res
 /// one in which boom and load are taken for a part of the surroundings, be it that a leaf before
 /// the tool was taken for its point; but where that goes on, as when they touch the ground for
 /// long, they are better learnt, and warned of, than that nothing else is. Unless nobody is warned
-/// of anything, because no load is seen: then the tracker has gone astray, and when it has found
-/// the tool again the load would be in the middle of what the crane has taught.
+/// of anything, because no load is seen: most likely the tracker has gone astray, and when it has
+/// found the tool again the load would be in the middle of what the crane has taught.
 bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   const double stamp = result.frame->stamp;
   const ToolMask mask = result.scene.toolMask;
+  const bool astray = !result.load && loadSource(result) == LoadSource::Detected;
   if (mask != ToolMask::TooLarge && mask != ToolMask::NothingThere) {
     unmaskedSince.reset();
-  } else if (!unmaskedSince || stamp < *unmaskedSince) {
+  } else if (!unmaskedSince || stamp < *unmaskedSince || astray) {
     unmaskedSince = stamp;
   }
-  const bool astray = !result.load && loadSource(result) == LoadSource::Detected;
   const bool unmasked =
-      unmaskedSince && (astray || stamp - *unmaskedSince <= result.parameters.tracking.maxToolAge);
+      unmaskedSince && stamp - *unmaskedSince <= result.parameters.tracking.maxToolAge;
   return frameFault == Reason::None && !result.tool.lost() && !unmasked;
 }
 

@@ -59,19 +59,16 @@ int main() {
   const double bandwidth = memoryBandwidth();
   const double memory = bytesToTouch(points, geometry) / bandwidth;
   constexpr int frames = 201;  // of a millisecond or two: a neighbour on the machine shows
-  const auto timeOf = [&](boomwatch::ModelUpdate kind, const Points& seen) {
+  const auto timeOf = [&](boomwatch::ModelUpdate kind) {
     EnvironmentModel model(geometry);
-    model.update(points, {});
-    return bench::medianMilliseconds(frames, [&] { model.update(seen, {.update = kind}); });
+    return bench::medianMilliseconds(frames, [&] { model.update(points, {.update = kind}); });
   };
-  const double thesis = timeOf(boomwatch::ModelUpdate::Thesis, points);
-  const double hysteresis = timeOf(boomwatch::ModelUpdate::Hysteresis, points);
-  const double logOdds = timeOf(boomwatch::ModelUpdate::LogOdds, points);
+  const double thesis = timeOf(boomwatch::ModelUpdate::Thesis);
+  const double hysteresis = timeOf(boomwatch::ModelUpdate::Hysteresis);
+  const double logOdds = timeOf(boomwatch::ModelUpdate::LogOdds);
   bench::print("memory_bandwidth", bandwidth / 1e6, "GB/s", "-");
   bench::print("model_memory_time", memory, "ms", "-");
   bench::print("model_update", hysteresis, "ms", "-");
-  bench::print("model_update_empty_frame", timeOf(boomwatch::ModelUpdate::Hysteresis, {}), "ms",
-               "-");
   bench::print("model_update_thesis_ratio", thesis / memory, "x", "<=3");
   bench::print("model_update_hysteresis_ratio", hysteresis / memory, "x", "<=3");
   bench::print("model_update_log_odds_ratio", logOdds / memory, "x", "<=3");

@@ -190,7 +190,8 @@ class TestCellUpdate : public QObject {
         // A surface with noise that is missed at times, and now and then for long; blank cells,
         // too.
         const int about = 20 + static_cast<int>(k % 13) * 18 + (frame / 60 % 2 == 0 ? 0 : 12);
-        const bool seen = k % 7 != 0 && frame % 90 < 75 && random() % 5 > 0;
+        const bool blank = k >= 512 && k < 1024 && frame < 100;  // a whole block
+        const bool seen = !blank && k % 7 != 0 && frame % 90 < 75 && random() % 5 > 0;
         const int level = random() % 6 == 0 ? 1 + static_cast<int>(random() % 255)
                                             : about - 2 + static_cast<int>(random() % 5);
         nearness[k] = static_cast<std::uint8_t>(seen ? 256 - std::clamp(level, 1, 255) : 0);
@@ -198,7 +199,7 @@ class TestCellUpdate : public QObject {
       }
       updateCells(probabilities, levels, nearness, parameters);
       for (std::size_t k = 0; k < cells; ++k) {
-        QCOMPARE(probabilities[k], expected[k]);
+        QVERIFY(probabilities[k] == expected[k]);  // to the last bit
         QCOMPARE(int{levels[k]}, int{expectedLevels[k]});
         QCOMPARE(int{nearness[k]}, 0);
         surfaces += levels[k] > 0;

@@ -157,7 +157,11 @@ void TestPieces::cellsFinerThanThePixelsAreOnePiece() {
     return pieces;
   };
   const Pieces::Limits limits{0.0, 0.4, 0.6};
-  QCOMPARE(seen(9.0 / 700).doubtful(limits).size(), std::size_t{0});
+  for (const double apart : {0.01, 9.0 / 700, 0.02, 0.03, 0.04}) {
+    QVERIFY2(seen(apart).doubtful(limits).empty(), std::to_string(apart).c_str());
+    const auto piece = seen(apart).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)));
+    QVERIFY2(std::abs(piece->area - 0.2) < 0.05, std::to_string(piece->area).c_str());
+  }
   QCOMPARE(seen(0.04).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 5 * 25);
   QCOMPARE(seen(0.06).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 1);
 }

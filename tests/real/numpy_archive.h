@@ -21,9 +21,10 @@ inline QByteArray firstMember(const QByteArray& archive) {
     throw std::runtime_error("not a deflated archive");
   }
   const qsizetype begin = header + number(26) + number(28);  // name and extra field
+  if (begin > archive.size()) throw std::runtime_error("a truncated archive");
   QByteArray member(64 << 20, Qt::Uninitialized);
   z_stream stream{};
-  inflateInit2(&stream, -MAX_WBITS);  // a ZIP member has no zlib header
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::runtime_error("zlib");  // no header
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(archive.data() + begin));
   stream.avail_in = static_cast<uInt>(archive.size() - begin);
   stream.next_out = reinterpret_cast<Bytef*>(member.data());

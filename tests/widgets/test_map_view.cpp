@@ -243,8 +243,12 @@ void TestMapView::whatIsTooSmallToCountIsMarkedAndSaid() {
   auto result = smallResult();
   const QColor before = edgeOf(result);
   QVERIFY(!ShownMap(MapKind::Environment, result).map.readout({32, 7}).contains("too small"));
-  result->suppressed = {result->model->geometry().index(32, 7)};
+  const std::size_t cell = result->model->geometry().index(32, 7);
+  result->suppressed = {cell};
   QVERIFY(edgeOf(result) != before);
+  // Of two, the line goes around both.
+  result->suppressed = {cell - 1, cell};
+  QCOMPARE(edgeOf(result), before);
   QVERIFY(ShownMap(MapKind::Environment, result).map.readout({32, 7}).contains("too small"));
 }
 
