@@ -162,35 +162,42 @@ void MainWindow::showStatus(const SourceStatus& status) {
   refreshState();
 }
 
-void MainWindow::showNotice(const Notice& notice) {
+QString MainWindow::sentenceOf(const Notice& notice) {
   switch (notice.kind) {
     case Notice::Kind::OpenFailed:
-      m_panes.state->showFault(tr("Not opened: %1").arg(notice.text));
-      break;
+      return tr("Not opened: %1").arg(notice.text);
     case Notice::Kind::Lost:
-      m_panes.state->showFault(tr("Lost: %1").arg(notice.text));
-      break;
+      return tr("Lost: %1").arg(notice.text);
     case Notice::Kind::Tool:
-      m_panes.state->showFault(tr("Tool: %1").arg(notice.text));
-      break;
+      return tr("Tool: %1").arg(notice.text);
     case Notice::Kind::Calibration:
-      m_panes.state->showFault(tr("The calibration does not fit: the rows of left and right differ "
-                                  "by %1 px. Calibrate anew, or switch on Refine where it is off.")
-                                   .arg(notice.text));
-      break;
+      return tr("The calibration does not fit: the rows of left and right differ "
+                "by %1 px. Calibrate anew, or switch on Refine where it is off.")
+          .arg(notice.text);
     case Notice::Kind::RowsCorrected:
-      m_panes.state->showNotice(tr("The calibration does not fit: the rows of left and right "
-                                   "differ by %1 px. That is corrected; better calibrate anew.")
-                                    .arg(notice.text));
-      break;
+      return tr("The calibration does not fit: the rows of left and right "
+                "differ by %1 px. That is corrected; better calibrate anew.")
+          .arg(notice.text);
     case Notice::Kind::Parameters:
-      m_panes.state->showFault(tr("Parameters not in force: %1").arg(notice.text));
-      break;
+      return tr("Parameters not in force: %1").arg(notice.text);
     case Notice::Kind::Frame:
-      m_panes.state->showNotice(tr("Frame not used: %1").arg(notice.text));
-      break;
+      return tr("Frame not used: %1").arg(notice.text);
   }
-  emit faultShown(notice.text);
+  return {};
+}
+
+void MainWindow::showNotice(const Notice& notice) {
+  const QString sentence = sentenceOf(notice);
+  if (notice.kind == Notice::Kind::RowsCorrected) {  // the run is none the worse
+    m_panes.state->showNotice(sentence);
+    return;
+  }
+  if (notice.kind == Notice::Kind::Frame) {
+    m_panes.state->showNotice(sentence);
+  } else {
+    m_panes.state->showFault(sentence);
+  }
+  emit faultShown(sentence);
 }
 
 void MainWindow::refreshState() {

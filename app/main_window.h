@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   void wireTracking();
   void takeNews();
   void showNews(const News& news);
+  static QString sentenceOf(const Notice& notice);
   void showNotice(const Notice& notice);
   void watch();
   void showNothing();

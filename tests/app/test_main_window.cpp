@@ -132,6 +132,7 @@ class TestMainWindow : public QObject {
     window.openSource("fake");
     QTRY_COMPARE(faults.count(), 1);
     QVERIFY(window.panes().state->text().contains("the folder is empty"));
+    QCOMPARE(faults[0][0].toString(), QStringLiteral("Not opened: the folder is empty"));
     window.panes().state->dismiss();
     QVERIFY(window.panes().state->text().contains("Nothing is open"));
   }
