@@ -50,8 +50,8 @@ std::optional<double> noiseOf(const cv::Mat& inverse) {
 
 /// The mean of a row's pixels and of those around them that are less than `alike` apart. As many on
 /// one side as on the other, at the picture's border too, or slopes would be bent there.
-void smoothRow(const cv::Mat& inverse, int v, int reach, float alike, std::vector<float>& sums,
-               std::vector<float>& counts) {
+[[gnu::always_inline]] inline void smoothRow(const cv::Mat& inverse, int v, int reach, float alike,
+                                             std::vector<float>& sums, std::vector<float>& counts) {
   const auto* const centre = inverse.ptr<float>(v);
   std::fill(sums.begin(), sums.end(), 0.0F);
   std::fill(counts.begin(), counts.end(), 0.0F);
@@ -70,6 +70,24 @@ void smoothRow(const cv::Mat& inverse, int v, int reach, float alike, std::vecto
       }
     }
   }
+}
+
+#ifdef __x86_64__
+/// Half of the time, and the same to the last bit.
+[[gnu::target("avx2")]] void smoothRowByAvx2(const cv::Mat& inverse, int v, int reach, float alike,
+                                             std::vector<float>& sums, std::vector<float>& counts) {
+  smoothRow(inverse, v, reach, alike, sums, counts);
+}
+#endif
+
+void smoothed(const cv::Mat& inverse, int v, int reach, float alike, std::vector<float>& sums,
+              std::vector<float>& counts) {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) {
+    return smoothRowByAvx2(inverse, v, reach, alike, sums, counts);
+  }
+#endif
+  smoothRow(inverse, v, reach, alike, sums, counts);
 }
 
 }  // namespace
@@ -91,7 +109,7 @@ std::shared_ptr<const Cloud> withoutDepthNoise(const std::shared_ptr<const Cloud
   inBands(inverse.rows, [&](const cv::Range& rows) {
     std::vector<float> sums(static_cast<std::size_t>(inverse.cols)), counts(sums.size());
     for (int v = rows.start; v < rows.end; ++v) {
-      smoothRow(inverse, v, window / 2, alike, sums, counts);
+      smoothed(inverse, v, window / 2, alike, sums, counts);
       const auto* const centre = inverse.ptr<float>(v);
       auto* const points = &smooth->points[static_cast<std::size_t>(v) * sums.size()];
       for (std::size_t u = 0; u < sums.size(); ++u) {

@@ -20,7 +20,15 @@ class DepthView {
   /// leaves the picture or measured nothing.
   bool looksThrough(const Eigen::Vector3d& surface, double size, double room) const;
 
+  /// Whether the ray to `surface` (camera frame) ends more than `room` metres before it: whatever
+  /// is there, this frame does not show it. False where the ray is outside the picture or measured
+  /// nothing.
+  bool hides(const Eigen::Vector3d& surface, double room) const;
+
  private:
+  /// What the camera measured along the ray to a point before it; null outside the picture.
+  const Eigen::Vector3f* seenTowards(const Eigen::Vector3d& point) const;
+
   const Cloud& m_cloud;
   std::optional<PinholeProjection> m_projection;
 };

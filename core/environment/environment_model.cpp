@@ -11,6 +11,10 @@ namespace {
 /// way out and goes on, or what is left of the load where it has passed would stay for good.
 constexpr double waning = 0.6;
 
+/// Metres: a load that enters an obstacle is seen a little behind its surface, with the noise of
+/// depth.
+constexpr double depthRoom = 0.25;
+
 /// Runs work(0) and work(1) beside each other; throws what they throw.
 template <class Work>
 void inHalves(const Work& work) {
@@ -84,18 +88,26 @@ std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
       hidden.push_back({k, m_probabilities[k], m_levels[k]});
     }
   }
+  if (!view) return hidden;
+  // What hides a surface from the camera is seldom in the same column.
+  const auto columns = static_cast<std::size_t>(m_geometry.columns());
+  for (std::size_t k = cells.begin; k < cells.end; ++k) {
+    if (m_levels[k] == 0 || m_nearness[k] != 0) continue;
+    const auto column = static_cast<int>(k % columns), row = static_cast<int>(k / columns);
+    if (view->hides(m_geometry.surfacePoint(column, row, m_levels[k]), depthRoom)) {
+      hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    }
+  }
   return hidden;
 }
 
 /// By something that was taken out of the same cell at depth z.
 bool EnvironmentModel::isHidden(int column, int row, double z, const DepthView* view) const {
-  // A load that enters an obstacle is seen a little behind its surface, with the noise of depth.
-  constexpr double room = 0.25;  // metres
   const int level = m_levels[m_geometry.index(column, row)];
   if (level == 0) return true;
   const Eigen::Vector3d surface = m_geometry.surfacePoint(column, row, level);
-  if (z > surface.z() + room) return false;
-  return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), room);
+  if (z > surface.z() + depthRoom) return false;
+  return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), depthRoom);
 }
 
 /// Half of the time of an update at small cells: what is known beforehand stays out of the loop.

@@ -38,7 +38,8 @@ class EnvironmentModel {
   /// is, so that an obstacle is not forgotten in the moment in which the load enters it. One that
   /// lies behind the cell's surface hides nothing: that has gone. So has, with a `view`, a surface
   /// that the camera looks through; and one that was missed so often before it was hidden that it
-  /// is on its way out goes on.
+  /// is on its way out goes on. With a `view`, surfaces are hidden, too, by whatever stands before
+  /// them on their ray from the camera.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
               std::span<const Eigen::Vector3f> masked = {}, const DepthView* view = nullptr);
 

@@ -18,7 +18,9 @@ int reachOf(const GridGeometry& geometry) {
 struct Extent {
   int left = INT32_MAX, right = 0, top = INT32_MAX, bottom = 0, front = INT32_MAX, back = 0;
 
-  void add(int column, int row, int level) {
+  void add(const GridGeometry& geometry, std::size_t cell, int level) {
+    const auto columns = static_cast<std::size_t>(geometry.columns());
+    const auto column = static_cast<int>(cell % columns), row = static_cast<int>(cell / columns);
     left = std::min(left, column);
     right = std::max(right, column);
     top = std::min(top, row);
@@ -26,8 +28,9 @@ struct Extent {
     front = std::min(front, level);
     back = std::max(back, level);
   }
-  /// Metres from corner to corner; a cell has no depth.
+  /// Metres from corner to corner; a cell has no depth. 0: there is none.
   double diagonal(const GridGeometry& geometry) const {
+    if (back == 0) return 0.0;
     const double cell = geometry.cellSize(geometry.zOf(front));
     return Eigen::Vector3d((right - left + 1) * cell, (bottom - top + 1) * cell,
                            (back - front) * geometry.levelStep())
@@ -137,7 +140,7 @@ void Pieces::measure(const EnvironmentModel& model) {
       above = row;
       const int level = model.levels()[k];
       const auto piece = static_cast<std::size_t>(m_labels[k]);
-      extents[piece].add(column, row, level);
+      extents[piece].add(m_geometry, k, level);
       ++m_pieces[piece].cells;
       m_pieces[piece].probability += static_cast<double>(model.probabilities()[k]);
       const double side = m_geometry.cellSize(m_geometry.zOf(level));
@@ -159,15 +162,24 @@ std::optional<Evidence> Pieces::evidenceAt(const Eigen::Vector3d& onEnvironment)
   return m_pieces[static_cast<std::size_t>(label)];
 }
 
-std::vector<std::size_t> Pieces::doubtful(const Limits& limits) const {
+std::vector<std::size_t> Pieces::doubtful(const EnvironmentModel& model,
+                                          const Limits& limits) const {
   const double leastArea = limits.doubtful * limits.doubtful / 3;
+  std::vector<Extent> certain(m_pieces.size());
+  for (std::size_t k = 0; k < m_labels.size(); ++k) {
+    if (m_labels[k] == none || static_cast<double>(model.probabilities()[k]) < limits.certain) {
+      continue;
+    }
+    certain[static_cast<std::size_t>(m_labels[k])].add(m_geometry, k, model.levels()[k]);
+  }
   std::vector<std::size_t> cells;
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none) continue;
-    const Evidence& piece = m_pieces[static_cast<std::size_t>(m_labels[k])];
+    const auto label = static_cast<std::size_t>(m_labels[k]);
+    const Evidence& piece = m_pieces[label];
     const bool large = piece.extent >= limits.doubtful && piece.area >= leastArea;
-    const bool certain = large || piece.probability >= limits.certain;
-    if (piece.extent < limits.smallest || !certain) cells.push_back(k);
+    const double sure = large ? piece.extent : certain[label].diagonal(m_geometry);
+    if (sure == 0.0 || sure < limits.smallest) cells.push_back(k);
   }
   return cells;
 }

@@ -31,13 +31,14 @@ class Pieces {
   struct Limits {
     double smallest = 0.0;  ///< metres: diagonal below which none does
     /// Metres: those with less than this diagonal, or with an area of less than a third of its
-    /// square (a bird's wings are long, a person's arm is larger), count only when they are
-    /// `certain`.
+    /// square (a bird's wings are long, a person's arm is larger), count only when what is
+    /// `certain` of them is itself at least the smallest thing: a rim that comes and goes with the
+    /// noise makes nothing of it doubtful.
     double doubtful = 0.0;
-    double certain = 0.0;  ///< mean probability
+    double certain = 0.0;  ///< probability of a cell
   };
-  /// Indices of the cells that do not count, ascending.
-  std::vector<std::size_t> doubtful(const Limits& limits) const;
+  /// Indices of the cells that do not count, ascending. `model`: that of the last rebuild().
+  std::vector<std::size_t> doubtful(const EnvironmentModel& model, const Limits& limits) const;
 
  private:
   static constexpr std::int32_t none = -1;

@@ -45,8 +45,8 @@ bool Surroundings::learn(const Cloud& cloud, const StaticScene& scene,
   m_pieces.rebuild(m_model, parameters.filter.clusterTolerance);
   const ClearanceParameters& search = parameters.clearance;
   const bool solid = search.unknownSpace == UnknownSpace::Solid;
-  m_suppressed = m_pieces.doubtful({search.smallestThing, search.doubtfulThing,
-                                    certainShare * highestProbability(parameters.model)});
+  m_suppressed = m_pieces.doubtful(m_model, {search.smallestThing, search.doubtfulThing,
+                                             certainShare * highestProbability(parameters.model)});
   std::vector<std::size_t> exempt = m_suppressed;
   if (solid) {
     const auto own = hiddenAndUnseen();

@@ -22,6 +22,7 @@ class TestDepthView : public QObject {
   void whatIsNotMeasuredIsNotLookedThrough();
   void withoutAPinholeItSeesNothing();
   void aGhostThatIsLookedThroughIsNotHeld();
+  void whatSomethingNearerHidesIsNotForgotten();
 };
 
 void TestDepthView::looksThroughWhatIsBeforeTheWallOnly() {
@@ -83,6 +84,27 @@ void TestDepthView::aGhostThatIsLookedThroughIsNotHeld() {
   released.update({}, parameters, masked, &view);
   QCOMPARE(held.state(column, row), CellState::Occupied);
   QCOMPARE(released.state(column, row), CellState::ObservedFree);
+}
+
+/// A tree behind the boom, which stands in other columns of the model than the tree.
+void TestDepthView::whatSomethingNearerHidesIsNotForgotten() {
+  const ModelParameters parameters;
+  const GridGeometry geometry({-2, 2, -2, 2, 0, 5}, size);
+  const Vector3d tree(0.525, 0.025, 4.0);
+  const int column = geometry.columnOf(tree.x()), row = geometry.rowOf(tree.y());
+  const Points seen{tree.cast<float>()};
+  const auto boom = wallCloud(3.0F), behind = wallCloud(4.5F);
+  const DepthView hidden(*boom), free(*behind);
+  QVERIFY(hidden.hides(tree, room));
+  QVERIFY(!hidden.hides({0.5, 0.0, 3.1}, room));
+  QVERIFY(!hidden.hides({30.0, 0.0, 4.0}, room));  // out of the picture
+  QVERIFY(!free.hides(tree, room));
+  EnvironmentModel model(geometry);
+  for (int n = 0; n < 6; ++n) model.update(seen, parameters);
+  for (int n = 0; n < 40; ++n) model.update({}, parameters, {}, &hidden);
+  QCOMPARE(model.state(column, row), CellState::Occupied);
+  for (int n = 0; n < 6; ++n) model.update({}, parameters, {}, &free);
+  QCOMPARE(model.state(column, row), CellState::ObservedFree);
 }
 
 QTEST_APPLESS_MAIN(TestDepthView)

@@ -54,6 +54,7 @@ class TestPieces : public QObject {
   void aStepInDepthParts();
   void whatIsSmallIsNamed();
   void whatIsNotLargeMustBeCertain();
+  void aRimThatComesAndGoesLeavesThePieceCertain();
   void nothingIsBehindAFreeCell();
   void cellsFinerThanThePixelsAreOnePiece();
 };
@@ -120,9 +121,9 @@ void TestPieces::whatIsSmallIsNamed() {
   for (int i = 10; i < 14; ++i) scenes::occupy(model, i, 4, 2.0);  // 20 cm x 5 cm
   Pieces pieces;
   pieces.rebuild(model, 0.1);
-  QVERIFY(pieces.doubtful({.smallest = 0.05}).empty());
-  QCOMPARE(pieces.doubtful({.smallest = 0.1}), std::vector<std::size_t>{grid.index(3, 4)});
-  QCOMPARE(pieces.doubtful({.smallest = 0.21}).size(), std::size_t{5});
+  QVERIFY(pieces.doubtful(model, {.smallest = 0.05}).empty());
+  QCOMPARE(pieces.doubtful(model, {.smallest = 0.1}), std::vector<std::size_t>{grid.index(3, 4)});
+  QCOMPARE(pieces.doubtful(model, {.smallest = 0.21}).size(), std::size_t{5});
 }
 
 void TestPieces::whatIsNotLargeMustBeCertain() {
@@ -136,9 +137,24 @@ void TestPieces::whatIsNotLargeMustBeCertain() {
   Pieces pieces;
   pieces.rebuild(model, 0.1);
   const double p = at(pieces, 10, 4, 2.0).probability;
-  QVERIFY(pieces.doubtful({.doubtful = 0.4, .certain = p - 0.01}).empty());
-  QCOMPARE(pieces.doubtful({.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{24});
-  QVERIFY(pieces.doubtful({.doubtful = 0.1, .certain = p + 0.01}).empty());
+  QVERIFY(pieces.doubtful(model, {.doubtful = 0.4, .certain = p - 0.01}).empty());
+  QCOMPARE(pieces.doubtful(model, {.doubtful = 0.4, .certain = p + 0.01}).size(), std::size_t{24});
+  QVERIFY(pieces.doubtful(model, {.doubtful = 0.1, .certain = p + 0.01}).empty());
+}
+
+/// The tip of a branch: seen for long, but for some cells at its rim. What is certain of it must
+/// itself be large enough to count.
+void TestPieces::aRimThatComesAndGoesLeavesThePieceCertain() {
+  EnvironmentModel model(grid);
+  for (int i = 10; i < 16; ++i) model.set(i, 4, i < 13 ? 0.66F : 0.2F, grid.levelOf(2.0));
+  Pieces pieces;
+  pieces.rebuild(model, 0.1);
+  // Three cells of 5 cm are 0.158 m from corner to corner.
+  const auto left = [&](double smallest) {
+    return pieces.doubtful(model, {smallest, 0.4, 0.57}).size();
+  };
+  QCOMPARE(left(0.15), std::size_t{0});
+  QCOMPARE(left(0.2), std::size_t{6});
 }
 
 /// A trunk 0.2 m wide and 9 m away, seen with 700 pixels: rows of cells between its pixels stay
@@ -154,16 +170,17 @@ void TestPieces::cellsFinerThanThePixelsAreOnePiece() {
     }
     Pieces pieces;
     pieces.rebuild(model, 0.1);
-    return pieces;
+    return std::pair(pieces, pieces.doubtful(model, {0.0, 0.4, 0.6}).size());
   };
-  const Pieces::Limits limits{0.0, 0.4, 0.6};
   for (const double apart : {0.01, 9.0 / 700, 0.02, 0.03, 0.04}) {
-    QVERIFY2(seen(apart).doubtful(limits).empty(), std::to_string(apart).c_str());
-    const auto piece = seen(apart).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)));
+    const auto [pieces, doubtful] = seen(apart);
+    QVERIFY2(doubtful == 0, std::to_string(apart).c_str());
+    const auto piece = pieces.evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)));
     QVERIFY2(std::abs(piece->area - 0.2) < 0.05, std::to_string(piece->area).c_str());
   }
-  QCOMPARE(seen(0.04).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 5 * 25);
-  QCOMPARE(seen(0.06).evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 1);
+  QCOMPARE(seen(0.04).first.evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells,
+           5 * 25);
+  QCOMPARE(seen(0.06).first.evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells, 1);
 }
 
 void TestPieces::nothingIsBehindAFreeCell() {
