@@ -38,8 +38,8 @@ class EnvironmentModel {
   /// is, so that an obstacle is not forgotten in the moment in which the load enters it. One that
   /// lies behind the cell's surface hides nothing: that has gone. So has, with a `view`, a surface
   /// that the camera looks through; and one that was missed so often before it was hidden that it
-  /// is on its way out goes on. With a `view`, surfaces are hidden, too, by whatever stands before
-  /// them on their ray from the camera.
+  /// is on its way out goes on. With a `view`, a surface that was seen for long is hidden, too, by
+  /// whatever stands before it on its ray from the camera.
   void update(std::span<const Eigen::Vector3f> points, const ModelParameters& parameters,
               std::span<const Eigen::Vector3f> masked = {}, const DepthView* view = nullptr);
 
@@ -83,7 +83,8 @@ class EnvironmentModel {
   void updateRows(int half, std::span<const Eigen::Vector3f> masked, const DepthView* view,
                   const ModelParameters& parameters);
   std::vector<HiddenCell> hiddenCells(const Cells& cells, std::span<const Eigen::Vector3f> masked,
-                                      const DepthView* view) const;
+                                      const DepthView* view,
+                                      const ModelParameters& parameters) const;
   bool isHidden(int column, int row, double z, const DepthView* view) const;
 
   GridGeometry m_geometry;

@@ -99,10 +99,15 @@ void TestDepthView::whatSomethingNearerHidesIsNotForgotten() {
   QVERIFY(!hidden.hides({0.5, 0.0, 3.1}, room));
   QVERIFY(!hidden.hides({30.0, 0.0, 4.0}, room));  // out of the picture
   QVERIFY(!free.hides(tree, room));
-  EnvironmentModel model(geometry);
-  for (int n = 0; n < 6; ++n) model.update(seen, parameters);
-  for (int n = 0; n < 40; ++n) model.update({}, parameters, {}, &hidden);
+  EnvironmentModel model(geometry), walker(geometry);
+  for (int n = 0; n < 20; ++n) model.update(seen, parameters);
+  for (int n = 0; n < 10; ++n) walker.update(seen, parameters);
+  for (int n = 0; n < 10; ++n) {
+    model.update({}, parameters, {}, &hidden);
+    walker.update({}, parameters, {}, &hidden);
+  }
   QCOMPARE(model.state(column, row), CellState::Occupied);
+  QCOMPARE(walker.state(column, row), CellState::ObservedFree);
   for (int n = 0; n < 6; ++n) model.update({}, parameters, {}, &free);
   QCOMPARE(model.state(column, row), CellState::ObservedFree);
 }
