@@ -48,7 +48,8 @@ cv::Rect2d grown(const cv::Rect2d& box) {
 void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   requireStart(image, box);
   const cv::Mat grey = greyOf(image);
-  const KeypointFeatures seen = m_extractor.extract(grey, box);
+  const KeypointFeatures seen =
+      m_extractor.extract(grey, m_reach == KeypointReach::DensePart ? grown(box) : box, m_reach);
   std::vector<int> order(seen.positions.size());
   std::iota(order.begin(), order.end(), 0);
   // The target's points first.
@@ -82,13 +83,16 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
 /// Adaptive correspondences: where the points of the image before have gone.
 std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   if (m_active.empty() || m_before.size() != grey.size()) return {};
+  const cv::Rect part = flowRegion(m_box, grey.size());
+  if (part.width < window.width || part.height < window.height) return {};
+  const cv::Point2d origin(part.tl());
   std::vector<cv::Point2f> before;
-  for (const KeypointPair& point : m_active) before.emplace_back(point.position);
+  for (const KeypointPair& point : m_active) before.emplace_back(point.position - origin);
   std::vector<KeypointPair> points;
-  for (const FollowedPoint& point : followPoints(m_before, grey, before, window)) {
+  for (const FollowedPoint& point : followPoints(m_before(part), grey(part), before, window)) {
     if (point.error > largestReturn) continue;
     const KeypointPair& active = m_active[point.index];
-    points.push_back({active.id, active.model, cv::Point2d(point.position)});
+    points.push_back({active.id, active.model, cv::Point2d(point.position) + origin});
   }
   return points;
 }
@@ -167,16 +171,23 @@ bool CmtTracker::isCredible(const KeypointConsensus& consensus, cv::Size image) 
          !(box & cv::Rect2d(0, 0, image.width, image.height)).empty();
 }
 
+void CmtTracker::lookAt(const cv::Rect2d& box) {
+  m_box = box;
+  m_active.clear();
+  m_before.release();
+}
+
 Track CmtTracker::track(const cv::Mat& image) {
   if (m_model.empty()) return Track::idle();
   const bool seenBefore = !m_before.empty();
+  const bool isNear = seenBefore || m_reach == KeypointReach::DensePart;
   std::optional<KeypointConsensus> consensus;
   cv::Mat grey;
   if (isTrackable(image)) {
     grey = greyOf(image);
     auto following = std::async(std::launch::async, [&] { return followed(grey); });
     const KeypointFeatures seen =
-        m_extractor.extract(grey, seenBefore ? grown(m_box) : cv::Rect2d());
+        m_extractor.extract(grey, isNear ? grown(m_box) : cv::Rect2d(), m_reach);
     std::vector<KeypointPair> points = matched(seen);
     for (const KeypointPair& point : following.get()) {
       if (std::ranges::find(points, point.id, &KeypointPair::id) == points.end()) {

@@ -21,9 +21,15 @@ namespace boomwatch {
 /// keypoints that agree.
 class CmtTracker : public Tracker {
  public:
+  explicit CmtTracker(KeypointReach reach = KeypointReach::Everywhere) : m_reach(reach) {}
+
   using Tracker::start;
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   Track track(const cv::Mat& image) override;
+
+  /// Where it was seen last, as somebody else knows: what was carried on from the image before is
+  /// forgotten. With KeypointReach::DensePart the target is looked for there alone.
+  void lookAt(const cv::Rect2d& box);
 
  private:
   std::vector<KeypointPair> followed(const cv::Mat& grey) const;
@@ -33,6 +39,7 @@ class CmtTracker : public Tracker {
   double reach() const;
   bool isCredible(const KeypointConsensus& consensus, cv::Size image) const;
 
+  KeypointReach m_reach;
   KeypointExtractor m_extractor;
   cv::Size2d m_size;                   ///< of the box it began with
   std::vector<cv::Point2d> m_model;    ///< the target's points, from its centre

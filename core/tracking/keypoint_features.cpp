@@ -43,15 +43,29 @@ std::vector<cv::KeyPoint> cornersIn(const cv::Mat& image, double size) {
   return points;
 }
 
+/// The pixels that corners in `part`, and what surrounds these, are made of.
+cv::Rect around(const cv::Rect2d& part, cv::Size image) {
+  const cv::Rect2d grown(part.x - border, part.y - border, part.width + 2 * border,
+                         part.height + 2 * border);
+  const cv::Rect2d seen = grown & cv::Rect2d({}, cv::Size2d(image));
+  return {cv::Point(cvFloor(seen.x), cvFloor(seen.y)),
+          cv::Point(cvFloor(seen.br().x), cvFloor(seen.br().y))};
+}
+
 }  // namespace
 
 KeypointExtractor::KeypointExtractor() : m_descriptor(cv::BRISK::create()) {}
 
-KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2d& dense) const {
+KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2d& dense,
+                                            KeypointReach reach) const {
+  const bool everywhere = reach == KeypointReach::Everywhere;
   cv::Mat image;
   cv::equalizeHist(grey, image);
-  const cv::Rect2d whole(0, 0, image.cols, image.rows);
-  const cv::Rect2d part = dense & whole;
+  const cv::Rect area = everywhere ? cv::Rect({}, image.size()) : around(dense, image.size());
+  if (area.empty()) return {};
+  image = image(area);
+  const cv::Rect2d whole({}, cv::Size2d(image.size()));
+  const cv::Rect2d part = (dense - cv::Point2d(area.tl())) & whole;
   std::vector<cv::KeyPoint> points;
   for (const double size : sizes) {
     if (image.cols < 8 * size || image.rows < 8 * size) continue;
@@ -60,7 +74,7 @@ KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2
       keepStrongest(found, part, {denseCells, denseCells}, keptInDenseCell, points);
       std::erase_if(found, [&](const auto& point) { return part.contains(cv::Point2d(point.pt)); });
     }
-    keepStrongest(found, whole, {cellsAcross, cellsDown}, keptInCell, points);
+    if (everywhere) keepStrongest(found, whole, {cellsAcross, cellsDown}, keptInCell, points);
   }
   cv::Mat padded;
   cv::copyMakeBorder(image, padded, border, border, border, border, cv::BORDER_REPLICATE);
@@ -68,7 +82,10 @@ KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2
   for (cv::KeyPoint& point : points) point.pt += offset;
   KeypointFeatures features;
   m_descriptor->compute(padded, points, features.descriptors);
-  for (const cv::KeyPoint& point : points) features.positions.emplace_back(point.pt - offset);
+  const cv::Point2f origin(area.tl());
+  for (const cv::KeyPoint& point : points) {
+    features.positions.emplace_back(point.pt - offset + origin);
+  }
   return features;
 }
 

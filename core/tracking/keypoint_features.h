@@ -12,14 +12,19 @@ struct KeypointFeatures {
   cv::Mat descriptors;                 ///< CV_8UC1, one row a corner; compared by Hamming distance
 };
 
-/// Finds FAST corners in three sizes, spread over the whole image, and describes them by BRISK,
-/// which turns with the corner. Keeps memory of nothing; used by one thread.
+/// Where corners are looked for: all over the image, and more of them in its dense part, or in that
+/// alone, which takes a fifth of the time.
+enum class KeypointReach { Everywhere, DensePart };
+
+/// Finds FAST corners in three sizes, spread over the image, and describes them by BRISK, which
+/// turns with the corner. Keeps memory of nothing; used by one thread.
 class KeypointExtractor {
  public:
   KeypointExtractor();
 
-  /// The number of corners is bounded: all over `image` (CV_8UC1), and more of them in `dense`.
-  KeypointFeatures extract(const cv::Mat& image, const cv::Rect2d& dense) const;
+  /// The number of corners in `image` (CV_8UC1) is bounded.
+  KeypointFeatures extract(const cv::Mat& image, const cv::Rect2d& dense,
+                           KeypointReach reach) const;
 
  private:
   cv::Ptr<cv::Feature2D> m_descriptor;

@@ -9,14 +9,19 @@
 namespace boomwatch {
 namespace {
 
-constexpr int gridSide = 10;
+constexpr int gridSide = FlowCells::side;
+// Of the cells of a box at least so many are asked.
+constexpr std::size_t fewestReliable = 25;
+constexpr float mostlyTogether = 0.4F;
+// What stands still is this far from a box that moves, pixels.
+constexpr double clearMotion = 1.5;
+constexpr double togetherShare = 0.5;  // of the motion, by which what goes together may differ
 constexpr std::size_t fewestPoints = 6;
-// What the search for a point can reach over all levels, and the box's own size, must be inside.
-constexpr double margin = 64.0;  // pixels
 const cv::Size window(9, 9);
 
 /// A point in both images.
 struct Match {
+  std::size_t cell = 0;  ///< of the grid
   cv::Point2f before, after;
   double error = 0.0;       ///< forward-backward, pixels
   double similarity = 0.0;  ///< NCC
@@ -45,7 +50,7 @@ std::vector<Match> follow(const cv::Mat& before, const cv::Mat& after,
                           const std::vector<cv::Point2f>& points) {
   std::vector<Match> matches;
   for (const FollowedPoint& point : followPoints(before, after, points, window)) {
-    matches.push_back({points[point.index], point.position, point.error, 0.0});
+    matches.push_back({point.index, points[point.index], point.position, point.error, 0.0});
   }
   return matches;
 }
@@ -89,26 +94,44 @@ MedianFlow flowOf(const std::vector<Match>& matches, const cv::Rect2d& box) {
           median(similarities)};
 }
 
-/// The part of the images that matters: Lucas-Kanade's pyramid of all of it takes longer.
-cv::Rect around(const cv::Rect2d& box, cv::Size image) {
-  const double reach = std::max({box.width, box.height, margin});
-  const cv::Rect2d grown(box.x - reach, box.y - reach, box.width + 2 * reach,
-                         box.height + 2 * reach);
-  const cv::Rect2d part = grown & cv::Rect2d(0, 0, image.width, image.height);
-  return {cv::Point(static_cast<int>(part.x), static_cast<int>(part.y)),
-          cv::Point(static_cast<int>(part.br().x), static_cast<int>(part.br().y))};
+/// Which cells went where the box has gone.
+void noteDown(const std::vector<Match>& matches, const cv::Rect2d& before, const cv::Rect2d& after,
+              FlowCells& cells) {
+  const cv::Point2d from = (before.tl() + before.br()) * 0.5, to = (after.tl() + after.br()) * 0.5;
+  const double motion = cv::norm(to - from), scale = after.width / before.width;
+  if (motion < clearMotion) return;
+  for (const Match& match : matches) {
+    const cv::Point2d expected = to + scale * (cv::Point2d(match.before) - from);
+    const double apart = cv::norm(cv::Point2d(match.after) - expected);
+    cells.note(match.cell, apart < togetherShare * motion);
+  }
 }
 
 }  // namespace
 
+std::array<bool, FlowCells::count> FlowCells::reliable() const {
+  std::array<float, count> best = m_together;
+  std::ranges::nth_element(best, best.begin() + fewestReliable - 1, std::greater());
+  const float least = std::min(mostlyTogether, best[fewestReliable - 1]);
+  std::array<bool, count> cells{};
+  for (std::size_t k = 0; k < count; ++k) cells[k] = m_together[k] >= least;
+  return cells;
+}
+
 std::optional<MedianFlow> medianFlow(const cv::Mat& before, const cv::Mat& after,
-                                     const cv::Rect2d& box) {
+                                     const cv::Rect2d& box, FlowCells* cells) {
   if (before.empty() || before.size() != after.size()) return std::nullopt;
-  const cv::Rect part = around(box, before.size());
+  const cv::Rect part = flowRegion(box, before.size());
   if (part.width < window.width || part.height < window.height) return std::nullopt;
   const cv::Mat partBefore = before(part), partAfter = after(part);
   const cv::Point2d origin(part.tl());
-  std::vector<Match> matches = follow(partBefore, partAfter, gridIn(box - origin));
+  const std::vector<Match> all = follow(partBefore, partAfter, gridIn(box - origin));
+  std::vector<Match> matches = all;
+  if (cells) {
+    std::erase_if(matches, [reliable = cells->reliable()](const Match& match) {
+      return !reliable[match.cell];
+    });
+  }
   if (matches.size() < fewestPoints) return std::nullopt;
   keepBetterHalf(matches, [](const Match& match) { return -match.error; });
   for (Match& match : matches) {
@@ -117,6 +140,7 @@ std::optional<MedianFlow> medianFlow(const cv::Mat& before, const cv::Mat& after
   keepBetterHalf(matches, [](const Match& match) { return match.similarity; });
   if (matches.size() < fewestPoints / 2) return std::nullopt;
   MedianFlow flow = flowOf(matches, box - origin);
+  if (cells) noteDown(all, box - origin, flow.box, *cells);
   flow.box += origin;
   return flow;
 }

@@ -13,6 +13,10 @@ struct FollowedPoint {
   double error = 0.0;     ///< how far from the point the way back ends (forward-backward), pixels
 };
 
+/// The part of an image that matters for what is in `box`: its pyramid takes less time than that of
+/// all of it.
+cv::Rect flowRegion(const cv::Rect2d& box, cv::Size image);
+
 /// Those of `points` that pyramidal Lucas-Kanade can follow from `before` to `after` (CV_8UC1, of
 /// one size) and back, in their order; `window` is what surrounds a point. A pure function.
 std::vector<FollowedPoint> followPoints(const cv::Mat& before, const cv::Mat& after,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 
 #include "frame/error.h"
@@ -54,6 +55,18 @@ std::optional<Detection> clearBest(const std::vector<Detection>& detections) {
   return clear ? std::optional(detections.front()) : std::nullopt;
 }
 
+/// Flow drifts: it takes a little of what is behind the tool along, and goes with the surface of a
+/// tool that turns. Keypoints know where they were at the beginning, but some are others.
+std::optional<Detection> followedOf(const std::optional<Detection>& flowed,
+                                    const std::optional<Detection>& agreed) {
+  if (!agreed) return flowed;
+  const float likeness = agreed->likeness.conservative;
+  if (!flowed) return likeness > doubtedLikeness ? agreed : std::nullopt;
+  const bool same = overlap(flowed->box, agreed->box) >= sameOverlap;
+  const bool better = likeness > flowed->likeness.conservative;
+  return better && (same || likeness > trustedLikeness) ? agreed : flowed;
+}
+
 void requireUsable(const ToolModel& model) {
   const cv::Size patch = model.patchSize();
   const auto fits = [&](const cv::Mat& other) {
@@ -74,6 +87,8 @@ void TldTracker::begin(ToolClassifier tool) {
   m_tool.emplace(std::move(tool));
   m_before.release();
   m_found.reset();
+  m_cells = FlowCells();
+  m_keypoints = CmtTracker(KeypointReach::DensePart);
   m_trusted = false;
   m_scale = 1.0;
   m_imagesLost = std::numeric_limits<int>::max() / 2;
@@ -87,6 +102,11 @@ void TldTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   ToolLearning learning;
   begin(learning.begin(grey, box));
   m_learning = learning;
+  try {
+    m_keypoints.start(grey, box);
+  } catch (const Error&) {
+    // There are too few: it is followed without them.
+  }
   m_before = grey.clone();
   m_found = Detection{box, {1.0F, 1.0F}};
   m_trusted = true;
@@ -99,14 +119,26 @@ void TldTracker::start(const ToolModel& model) {
   m_learning = ToolLearning();
 }
 
-std::optional<Detection> TldTracker::follow(const cv::Mat& grey) const {
+std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
+  if (!m_found) return std::nullopt;
+  const Track track = m_keypoints.track(grey);
+  if (!track.box || std::min(track.box->width, track.box->height) < smallestSide / 2.0 ||
+      shareInside(*track.box, grey.size()) < smallestShareInside) {
+    return std::nullopt;
+  }
+  const cv::Mat patch = PatchCutter(grey, *track.box, m_tool->patchSize()).cut();
+  return Detection{*track.box, m_tool->likeness(patch)};
+}
+
+std::optional<Detection> TldTracker::flow(const cv::Mat& grey) {
   if (!m_found || m_before.size() != grey.size()) return std::nullopt;
-  const std::optional<MedianFlow> flow = medianFlow(m_before, grey, m_found->box);
-  if (!flow || flow->residual > largestResidual) return std::nullopt;
-  if (std::min(flow->box.width, flow->box.height) < smallestSide / 2.0) return std::nullopt;
-  if (shareInside(flow->box, grey.size()) < smallestShareInside) return std::nullopt;
-  const cv::Rect2d box =
-      flow->similarity < sureFlow ? refineBox(grey, flow->box, *m_tool, refinedShare) : flow->box;
+  const std::optional<MedianFlow> moved = medianFlow(m_before, grey, m_found->box, &m_cells);
+  if (!moved || moved->residual > largestResidual) return std::nullopt;
+  if (std::min(moved->box.width, moved->box.height) < smallestSide / 2.0) return std::nullopt;
+  if (shareInside(moved->box, grey.size()) < smallestShareInside) return std::nullopt;
+  const cv::Rect2d box = moved->similarity < sureFlow
+                             ? refineBox(grey, moved->box, *m_tool, refinedShare)
+                             : moved->box;
   const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
   if (varianceOf(patch) < flatShare * m_tool->leastVariance()) return std::nullopt;
   return Detection{box, m_tool->likeness(patch)};
@@ -193,10 +225,18 @@ Track TldTracker::track(const cv::Mat& image) {
   bool learnt = false;
   if (isTrackable(image)) {
     const cv::Mat grey = greyOf(image);
+    // Followed and looked for at the same time: neither depends on the other.
+    auto following =
+        std::async(std::launch::async, [&] { return std::pair(flow(grey), consensus(grey)); });
     const ScanLevels levels = levelsOf(grey);
     const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
     const std::vector<Detection> detections = detect(grey, candidates);
-    integrate(follow(grey), detections);
+    const auto [flowed, agreed] = following.get();
+    integrate(followedOf(flowed, agreed), detections);
+    // What the keypoints carry on must be the tool's.
+    if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
+      m_keypoints.lookAt(m_found->box);
+    }
     if (m_learns && m_trusted && !isDisputed(detections)) learnt = learn(grey, levels, candidates);
     m_before = grey.data == image.data ? grey.clone() : grey;
   } else {

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "tracking/cmt_tracker.h"
+#include "tracking/median_flow.h"
 #include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
 #include "tracking/tool_detector.h"
@@ -13,7 +15,9 @@ namespace boomwatch {
 
 /// Tracking-Learning-Detection (Kalal, Mikolajczyk, Matas, PAMI 2012): median flow follows the tool
 /// from image to image, a detector looks for it in the whole of each image, and what both agree on
-/// teaches the detector.
+/// teaches the detector. Beside the flow, and against its drift, the keypoints of the first box are
+/// looked for around the tool (CmtTracker); that box is taken which looks more like the older half
+/// of the model. A tracker that began with a saved model has no such keypoints.
 ///
 /// The guard against "explosion", a model that fills with what is not the tool: an image teaches
 /// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
@@ -29,7 +33,8 @@ class TldTracker : public Tracker {
 
  private:
   void begin(ToolClassifier tool);
-  std::optional<Detection> follow(const cv::Mat& grey) const;
+  std::optional<Detection> flow(const cv::Mat& grey);       // by median flow
+  std::optional<Detection> consensus(const cv::Mat& grey);  // by keypoints
   ScanLevels levelsOf(const cv::Mat& grey) const;
   std::vector<Detection> detect(const cv::Mat& grey,
                                 const std::vector<Candidate>& candidates) const;
@@ -45,10 +50,12 @@ class TldTracker : public Tracker {
   bool m_learns = true;
   cv::Mat m_before;                  ///< grey, the image before; empty when nothing leads from it
   std::optional<Detection> m_found;  ///< where the tool is; absent while it is lost
-  bool m_trusted = false;            ///< see the class
-  double m_scale = 1.0;              ///< of the tool when it was last seen, against the model's
-  int m_imagesLost = 0;              ///< since it was last seen
-  int m_imagesDoubted = 0;           ///< since the followed box last looked like the tool
+  FlowCells m_cells;                 ///< of the tool's box
+  CmtTracker m_keypoints{KeypointReach::DensePart};  ///< idle where there were too few
+  bool m_trusted = false;                            ///< see the class
+  double m_scale = 1.0;     ///< of the tool when it was last seen, against the model's
+  int m_imagesLost = 0;     ///< since it was last seen
+  int m_imagesDoubted = 0;  ///< since the followed box last looked like the tool
   mutable std::shared_ptr<const ToolModel> m_model;  ///< null after the tool was learnt from
 };
 

@@ -46,6 +46,7 @@ class TestCmtTracker : public QObject {
   void findsAgainElsewhereAndTurned();
   void isNotFoundWhereItIsNot();
   void isLookedForAgainInAnotherSize();
+  void looksOnlyWhereItIsTold();
 
  private:
   const TargetScene m_scene;
@@ -161,6 +162,24 @@ void TestCmtTracker::isLookedForAgainInAnotherSize() {
   const Track track = tracker.track(wider);
   QVERIFY(track.box);
   QVERIFY(overlapOf(*track.box, TargetScene::box(beginning + cv::Point2d(50.0, 0.0))) > 0.7);
+}
+
+void TestCmtTracker::looksOnlyWhereItIsTold() {
+  CmtTracker tracker(KeypointReach::DensePart);
+  tracker.start(m_scene.image(beginning), TargetScene::box(beginning));
+  cv::Point2d place = beginning;
+  for (int frame = 1; frame <= 10; ++frame) {
+    place += cv::Point2d(4.0, 2.0);
+    const Track track = tracker.track(m_scene.image(place));
+    QVERIFY(track.box && overlapOf(*track.box, TargetScene::box(place)) > 0.7);
+  }
+  const cv::Point2d elsewhere(60.0, 70.0);
+  QVERIFY(!tracker.track(m_scene.image(elsewhere)).box);
+  tracker.lookAt(TargetScene::box(elsewhere + cv::Point2d(8.0, -6.0)));
+  const Track track = tracker.track(m_scene.image(elsewhere));
+  QVERIFY(track.box && overlapOf(*track.box, TargetScene::box(elsewhere)) > 0.7);
+  tracker.lookAt({-500.0, 0.0, 80.0, 80.0});  // nowhere
+  QVERIFY(!tracker.track(m_scene.image(elsewhere)).box);
 }
 
 QTEST_GUILESS_MAIN(TestCmtTracker)
