@@ -13,7 +13,7 @@ struct KeypointFeatures {
 };
 
 /// Where corners are looked for: all over the image, and more of them in its dense part, or in that
-/// alone, which takes a fifth of the time.
+/// alone, which takes less time.
 enum class KeypointReach { Everywhere, DensePart };
 
 /// Finds FAST corners in three sizes, spread over the image, and describes them by BRISK, which
