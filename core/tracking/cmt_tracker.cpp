@@ -97,11 +97,27 @@ std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   return points;
 }
 
+/// Corners of an image that resemble one of the target's: few do, and only these need be compared
+/// with the background as well.
+std::vector<int> CmtTracker::alike(const KeypointFeatures& seen) const {
+  const cv::Mat target = m_descriptors.rowRange(0, static_cast<int>(m_model.size()));
+  std::vector<cv::DMatch> matches;
+  cv::BFMatcher(cv::NORM_HAMMING).match(seen.descriptors, target, matches);
+  std::vector<int> rows;
+  for (const cv::DMatch& match : matches) {
+    if (match.distance <= largestDistance) rows.push_back(match.queryIdx);
+  }
+  return rows;
+}
+
 /// Static correspondences: what of the first image's target is seen, wherever it is.
 std::vector<KeypointPair> CmtTracker::matched(const KeypointFeatures& seen) const {
   constexpr int rivals = 4;
+  const std::vector<int> rows = alike(seen);
+  cv::Mat descriptors;
+  for (const int row : rows) descriptors.push_back(seen.descriptors.row(row));
   std::vector<std::vector<cv::DMatch>> matches;
-  cv::BFMatcher(cv::NORM_HAMMING).knnMatch(seen.descriptors, m_descriptors, matches, rivals);
+  cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptors, m_descriptors, matches, rivals);
   std::vector<const cv::DMatch*> best(m_model.size(), nullptr);
   for (const auto& nearest : matches) {
     if (nearest.empty() || nearest.front().distance > largestDistance) continue;
@@ -118,7 +134,8 @@ std::vector<KeypointPair> CmtTracker::matched(const KeypointFeatures& seen) cons
   for (const cv::DMatch* match : best) {
     if (!match) continue;
     points.push_back({match->trainIdx, m_model[static_cast<std::size_t>(match->trainIdx)],
-                      seen.positions[static_cast<std::size_t>(match->queryIdx)]});
+                      seen.positions[static_cast<std::size_t>(
+                          rows[static_cast<std::size_t>(match->queryIdx)])]});
   }
   return points;
 }
@@ -187,7 +204,8 @@ Track CmtTracker::track(const cv::Mat& image) {
     grey = greyOf(image);
     auto following = std::async(std::launch::async, [&] { return followed(grey); });
     const KeypointFeatures seen =
-        m_extractor.extract(grey, isNear ? grown(m_box) : cv::Rect2d(), m_reach);
+        isNear ? m_extractor.extract(grey, grown(m_box), KeypointReach::DensePart)
+               : m_extractor.extract(grey, cv::Rect2d(), KeypointReach::Everywhere);
     std::vector<KeypointPair> points = matched(seen);
     for (const KeypointPair& point : following.get()) {
       if (std::ranges::find(points, point.id, &KeypointPair::id) == points.end()) {

@@ -14,11 +14,12 @@ namespace boomwatch {
 ///
 /// What the target looks like is taken from the first image alone (static: descriptors, against
 /// those of the background) and carried on from image to image (adaptive: Lucas-Kanade); the points
-/// vote for the centre. It follows turns and changes of size in the image plane, and finds the
-/// target again anywhere in the image as long as it looks as it did at the beginning. The box is
-/// the one around the turned and scaled ellipse that filled the first box: a square stays one, and
-/// a rectangle stands upright after a quarter turn. The confidence is the share of the target's
-/// keypoints that agree.
+/// vote for the centre. Unlike in the papers, a target that was seen in the image before is looked
+/// for around that place alone: corners from elsewhere only mislead the vote. It follows turns and
+/// changes of size in the image plane, and finds the target again anywhere in the image as long as
+/// it looks as it did at the beginning. The box is the one around the turned and scaled ellipse
+/// that filled the first box: a square stays one, and a rectangle stands upright after a quarter
+/// turn. The confidence is the share of the target's keypoints that agree.
 class CmtTracker : public Tracker {
  public:
   explicit CmtTracker(KeypointReach reach = KeypointReach::Everywhere) : m_reach(reach) {}
@@ -33,6 +34,7 @@ class CmtTracker : public Tracker {
 
  private:
   std::vector<KeypointPair> followed(const cv::Mat& grey) const;
+  std::vector<int> alike(const KeypointFeatures& seen) const;
   std::vector<KeypointPair> matched(const KeypointFeatures& seen) const;
   void addNear(const KeypointFeatures& seen, KeypointConsensus& consensus) const;
   cv::Rect2d boxAt(const KeypointPose& pose) const;

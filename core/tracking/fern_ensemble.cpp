@@ -28,45 +28,21 @@ FernEnsemble::FernEnsemble(cv::Size patch, std::vector<FernLeaf> leaves)
   for (std::size_t i = 0; i < m_leaves.size(); ++i) m_shares[i] = shareOf(m_leaves[i]);
 }
 
-FernEnsemble::Offsets FernEnsemble::offsetsFor(const cv::Mat& image) const {
-  Offsets offsets;
-  const auto step = static_cast<int>(image.step);
-  for (const auto& [one, other] : m_pairs) {
-    offsets.push_back({one.y * step + one.x, other.y * step + other.x});
-  }
-  return offsets;
-}
-
-std::uint16_t FernEnsemble::codeOf(const uchar* first, const std::array<int, 2>* offsets) {
-  unsigned code = 0;
-  for (std::size_t i = 0; i < comparisons; ++i) {
-    code = code << 1 | static_cast<unsigned>(first[offsets[i][0]] > first[offsets[i][1]]);
-  }
-  return static_cast<std::uint16_t>(code);
-}
-
 FernEnsemble::Codes FernEnsemble::codesOf(const cv::Mat& patch) const {
-  const Offsets offsets = offsetsFor(patch);
   Codes codes{};
-  for (std::size_t fern = 0; fern < ferns; ++fern) {
-    codes[fern] = codeOf(patch.ptr(), &offsets[fern * comparisons]);
+  for (std::size_t i = 0; i < m_pairs.size(); ++i) {
+    const auto& [one, other] = m_pairs[i];
+    const unsigned bit = patch.at<uchar>(one) > patch.at<uchar>(other) ? 1U : 0U;
+    std::uint16_t& code = codes[i / comparisons];
+    code = static_cast<std::uint16_t>(code << 1U | bit);
   }
   return codes;
 }
 
-float FernEnsemble::of(const Codes& codes) const {
+float FernEnsemble::of(const Codes& codes, float least) const {
   float sum = 0.0F;
   for (std::size_t fern = 0; fern < ferns; ++fern) {
     sum += m_shares[fern * ToolModel::leavesPerFern + codes[fern]];
-  }
-  return sum / ferns;
-}
-
-float FernEnsemble::of(const uchar* first, const Offsets& offsets, float least) const {
-  float sum = 0.0F;
-  for (std::size_t fern = 0; fern < ferns; ++fern) {
-    const std::uint16_t code = codeOf(first, &offsets[fern * comparisons]);
-    sum += m_shares[fern * ToolModel::leavesPerFern + code];
     if (sum + static_cast<float>(ferns - 1 - fern) < least * ferns) return 0.0F;
   }
   return sum / ferns;

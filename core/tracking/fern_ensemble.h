@@ -19,25 +19,20 @@ class FernEnsemble {
   static_assert(std::size_t{1} << comparisons == ToolModel::leavesPerFern);
 
   using Codes = std::array<std::uint16_t, ferns>;
-  /// The pixels compared, as steps from a window's first pixel in an image of known row length.
-  using Offsets = std::vector<std::array<int, 2>>;
 
   FernEnsemble(cv::Size patch, std::vector<FernLeaf> leaves);
 
   const std::vector<FernLeaf>& leaves() const { return m_leaves; }
-  Offsets offsetsFor(const cv::Mat& image) const;
+  /// The pixels of a patch that are compared, the ferns one after the other.
+  const std::vector<std::array<cv::Point, 2>>& pairs() const { return m_pairs; }
 
-  /// Share of the tool, 0..1, mean over the ferns.
-  float of(const Codes& codes) const;
-  /// As of() for the window whose first pixel is `first`; 0 as soon as it cannot reach `least`.
-  float of(const uchar* first, const Offsets& offsets, float least) const;
+  /// Share of the tool, 0..1, mean over the ferns; 0 as soon as it cannot reach `least`.
+  float of(const Codes& codes, float least) const;
   Codes codesOf(const cv::Mat& patch) const;
 
   void learn(const Codes& codes, bool positive);
 
  private:
-  static std::uint16_t codeOf(const uchar* first, const std::array<int, 2>* offsets);
-
   std::vector<std::array<cv::Point, 2>> m_pairs;
   std::vector<FernLeaf> m_leaves;
   std::vector<float> m_shares;  ///< of the tool, for each leaf

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "tracking/fern_scan.h"
+
 namespace boomwatch {
 namespace {
 
@@ -21,24 +23,49 @@ double sumIn(const cv::Mat& integral, cv::Point corner, cv::Size size) {
   return bottom[size.width] - bottom[0] - top[size.width] + top[0];
 }
 
+/// Which windows of a level have enough variance to be asked about.
+class VarianceFilter {
+ public:
+  VarianceFilter(const cv::Mat& image, cv::Size size, double least)
+      : m_size(size), m_area(size.area()), m_least(least) {
+    cv::integral(image, m_sums, m_squares, CV_32S, CV_64F);
+  }
+
+  bool passes(cv::Point corner) const {
+    const double mean = sumIn<int>(m_sums, corner, m_size) / m_area;
+    return sumIn<double>(m_squares, corner, m_size) / m_area - mean * mean >= m_least;
+  }
+
+ private:
+  cv::Size m_size;
+  double m_area, m_least;
+  cv::Mat m_sums, m_squares;
+};
+
 void scanLevel(const ScanLevels& levels, int index, const ToolClassifier& tool,
                std::vector<Candidate>& found) {
   const cv::Mat& image = levels.levels()[static_cast<std::size_t>(index)].image;
   const cv::Size size = levels.patchSize();
-  cv::Mat sums, squares;
-  cv::integral(image, sums, squares, CV_32S, CV_64F);
-  const FernEnsemble::Offsets offsets = tool.ferns().offsetsFor(image);
-  const auto area = static_cast<double>(size.area());
-  const double least = tool.leastVariance();
-  cv::Point corner;
-  for (corner.y = 0; corner.y + size.height <= image.rows; corner.y += strideOf(size.height)) {
-    for (corner.x = 0; corner.x + size.width <= image.cols; corner.x += strideOf(size.width)) {
-      const double mean = sumIn<int>(sums, corner, size) / area;
-      if (sumIn<double>(squares, corner, size) / area - mean * mean < least) continue;
-      const float share = tool.ferns().of(image.ptr(corner.y) + corner.x, offsets, fernThreshold);
-      if (share < fernThreshold) continue;
-      const ScanWindow window{index, corner};
-      found.push_back({levels.boxOf(window), window, share, {}});
+  const cv::Size stride(strideOf(size.width), strideOf(size.height));
+  const VarianceFilter variance(image, size, tool.leastVariance());
+  const FernScan scan(tool.ferns(), image, stride.width);
+  constexpr int lanes = static_cast<int>(FernScan::lanes);
+  const int windows = (image.cols - size.width) / stride.width + 1;
+  FernScan::Codes codes;
+  for (int row = 0; row + size.height <= image.rows; row += stride.height) {
+    for (int first = 0; first < windows; first += lanes) {
+      bool isRead = false;
+      for (int window = first; window < std::min(first + lanes, windows); ++window) {
+        const cv::Point corner(window * stride.width, row);
+        if (!variance.passes(corner)) continue;
+        if (!isRead) scan.read(row, first, codes);
+        isRead = true;
+        const float share =
+            tool.ferns().of(codes[static_cast<std::size_t>(window - first)], fernThreshold);
+        if (share < fernThreshold) continue;
+        const ScanWindow place{index, corner};
+        found.push_back({levels.boxOf(place), place, share, {}});
+      }
     }
   }
 }
