@@ -8,7 +8,7 @@
 namespace boomwatch {
 namespace {
 
-constexpr int exposuresOfBlur = 5;
+constexpr int exposuresOfBlur = 5;  // odd
 
 class YardSource : public IndexedSource {
  public:
@@ -54,17 +54,19 @@ class YardSource : public IndexedSource {
             (above + below) * scale};
   }
 
-  /// The mean of the pictures while the shutter is open.
+  /// The mean of the pictures while the shutter is open, of which `shot` is the middle one.
   void addBlur(YardShot& shot, double time) const {
     std::array<cv::Mat, 2> sums;
+    for (std::size_t eye = 0; eye < sums.size(); ++eye) {
+      shot.eyes[eye].colour.convertTo(sums[eye], CV_16U);
+    }
     for (int k = 0; k < exposuresOfBlur; ++k) {
+      if (k == exposuresOfBlur / 2) continue;
       const double share = (k + 0.5) / exposuresOfBlur - 0.5;
       const YardShot part = m_yard.shootAt(time + share * m_options.blur / Yard::rate);
       for (std::size_t eye = 0; eye < sums.size(); ++eye) {
-        const cv::Mat& colour = part.eyes[eye].colour;
-        if (colour.empty()) continue;
-        if (sums[eye].empty()) sums[eye] = cv::Mat(colour.size(), CV_16UC3, cv::Scalar::all(0));
-        cv::add(sums[eye], colour, sums[eye], cv::noArray(), CV_16U);
+        if (sums[eye].empty()) continue;
+        cv::add(sums[eye], part.eyes[eye].colour, sums[eye], cv::noArray(), CV_16U);
       }
     }
     for (std::size_t eye = 0; eye < sums.size(); ++eye) {
