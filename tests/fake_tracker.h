@@ -19,6 +19,7 @@ struct TrackerScript {
   std::vector<cv::Mat> startImages;   ///< of each start(image, box)
   std::vector<cv::Size> modelStarts;  ///< the model's size, of each start(model)
   bool learning = true;
+  int rejections = 0;
 };
 
 /// Does as the script says, and judges boxes as every Tracker has to.
@@ -41,6 +42,7 @@ class FakeTracker : public Tracker {
     if (m_script->see) return m_script->see(image);
     return {TrackState::Tracked, m_box, 0.8, LearningState::On};
   }
+  void reject() override { ++m_script->rejections; }
   void setLearning(bool on) override { m_script->learning = on; }
   std::shared_ptr<const ToolModel> model() const override {
     if (!m_script->keepsModel) return nullptr;

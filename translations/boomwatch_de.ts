@@ -682,6 +682,14 @@
         <translation>Wie schnell das Werkzeug seine Geschwindigkeit ändert; weniger ist glatter</translation>
     </message>
     <message>
+        <source>Tool speed</source>
+        <translation>Werkzeuggeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The fastest the tool can move; a tracker that leaps further follows something else, and must look for the tool again</source>
+        <translation>Schneller kann sich das Werkzeug nicht bewegen; eine Verfolgung, die weiter springt, folgt etwas anderem und muss das Werkzeug neu suchen</translation>
+    </message>
+    <message>
         <source>Update</source>
         <translation>Aktualisierung</translation>
     </message>

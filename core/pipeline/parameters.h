@@ -145,6 +145,7 @@ struct TrackingParameters {
   double maxToolAge = 0.5;    ///< seconds without the tool's point after which it counts as lost
   double noise = 0.05;        ///< metres: standard deviation of the point as measured
   double acceleration = 2.0;  ///< m/s^2: how quickly the tool changes its velocity
+  double fastest = 5.0;       ///< m/s: what is further away than this allows is not the tool
 };
 
 /// When the chain is not to be trusted.

@@ -99,6 +99,13 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
         {TR("Tracking"), TR("Tool acceleration"),
          TR("How quickly the tool changes its velocity; less is smoother"), "m/s²"},
         {0.1, 100, 0.5}),
+    row<&P::tracking, &TP::fastest>(
+        "tool_speed",
+        {TR("Tracking"), TR("Tool speed"),
+         TR("The fastest the tool can move; a tracker that leaps further follows something else, "
+            "and must look for the tool again"),
+         "m/s"},
+        {0.1, 1000, 0.5}),
     row<&P::filter, &F::zReprojection>(
         "z_reprojection",
         {TR("Filter"), TR("z reprojection"), TR("Move every kept point to this z"), "m"},

@@ -27,6 +27,7 @@ class CmtTracker : public Tracker {
   using Tracker::start;
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   Track track(const cv::Mat& image) override;
+  void reject() override { lookAt(m_box); }
 
   /// Where it was seen last, as somebody else knows: what was carried on from the image before is
   /// forgotten. With KeypointReach::DensePart the target is looked for there alone.

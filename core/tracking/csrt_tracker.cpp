@@ -59,6 +59,7 @@ void CsrtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   m_size = image.size();
   m_channels = image.channels();
   m_seen = true;
+  m_isRejected = false;
 }
 
 double CsrtTracker::confidenceIn(const cv::Mat& image, const cv::Rect& box) {
@@ -87,6 +88,7 @@ void CsrtTracker::keepView(const cv::Mat& view) {
 
 Track CsrtTracker::track(const cv::Mat& image) {
   if (!m_engine) return Track::idle();
+  if (m_isRejected) return Track::lost();
   cv::Rect box;
   double confidence = 0.0;
   try {

@@ -21,6 +21,8 @@ class CsrtTracker : public Tracker {
   using Tracker::start;
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   Track track(const cv::Mat& image) override;
+  /// It would go on around the wrong place: it stays lost.
+  void reject() override { m_isRejected = true; }
 
  private:
   double confidenceIn(const cv::Mat& image, const cv::Rect& box);
@@ -32,6 +34,7 @@ class CsrtTracker : public Tracker {
   cv::Size m_size;               ///< of the images
   int m_channels = 0;            ///< of the images
   bool m_seen = false;           ///< in the image before
+  bool m_isRejected = false;     ///< since it was started
 };
 
 }  // namespace boomwatch

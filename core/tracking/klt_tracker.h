@@ -15,6 +15,7 @@ class KltTracker : public Tracker {
   using Tracker::start;
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   Track track(const cv::Mat& image) override;
+  void reject() override { m_before.release(); }
 
  private:
   cv::Mat m_before;  ///< CV_8UC1; empty when lost or not started

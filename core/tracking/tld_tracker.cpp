@@ -34,6 +34,7 @@ constexpr int longestDoubt = 25;  // images
 // By how much the best of several places must look more like the tool than the second.
 constexpr float lead = 0.05F;
 constexpr double sameOverlap = 0.5;
+constexpr std::size_t mostSharpened = 5;  // places, while the tool is lost
 constexpr double mixOverlap = 0.7;
 constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
 
@@ -151,9 +152,33 @@ ScanLevels TldTracker::levelsOf(const cv::Mat& grey) const {
           std::min(allScales, last + range)};
 }
 
+/// Windows lie a tenth of their size apart, and half of that off a tool can look like something
+/// else. The likeliest of those that do are looked at once more, as well placed as can be.
+std::vector<Candidate> TldTracker::sharpened(const cv::Mat& grey,
+                                             std::vector<Candidate> candidates) const {
+  std::ranges::stable_sort(candidates, std::greater(),
+                           [](const Candidate& one) { return one.likeness.relative; });
+  std::vector<Candidate> places;
+  for (const Candidate& candidate : candidates) {
+    if (places.size() == mostSharpened) break;
+    const bool isNew = std::ranges::none_of(places, [&](const Candidate& place) {
+      return overlap(place.box, candidate.box) >= sameOverlap;
+    });
+    if (isNew) places.push_back(candidate);
+  }
+  for (Candidate place : places) {
+    if (place.likeness.relative >= toolThreshold) continue;
+    place.box = refineBox(grey, place.box, *m_tool, 1.0);
+    place.likeness = m_tool->likeness(PatchCutter(grey, place.box, m_tool->patchSize()).cut());
+    if (place.likeness.conservative > trustedLikeness) candidates.push_back(place);
+  }
+  return candidates;
+}
+
 std::vector<Detection> TldTracker::detect(const cv::Mat& grey,
                                           const std::vector<Candidate>& candidates) const {
-  std::vector<Detection> detections = clusterDetections(candidates);
+  std::vector<Detection> detections =
+      clusterDetections(m_found ? candidates : sharpened(grey, candidates));
   for (Detection& detection : detections) {
     detection.box = refineBox(grey, detection.box, *m_tool, 1.0);
     const PatchCutter cutter(grey, detection.box, m_tool->patchSize());

@@ -28,6 +28,7 @@ class TldTracker : public Tracker {
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   void start(const ToolModel& model) override;
   Track track(const cv::Mat& image) override;
+  void reject() override { lose(); }
   void setLearning(bool on) override { m_learns = on; }
   std::shared_ptr<const ToolModel> model() const override;
 
@@ -36,6 +37,7 @@ class TldTracker : public Tracker {
   std::optional<Detection> flow(const cv::Mat& grey);       // by median flow
   std::optional<Detection> consensus(const cv::Mat& grey);  // by keypoints
   ScanLevels levelsOf(const cv::Mat& grey) const;
+  std::vector<Candidate> sharpened(const cv::Mat& grey, std::vector<Candidate> candidates) const;
   std::vector<Detection> detect(const cv::Mat& grey,
                                 const std::vector<Candidate>& candidates) const;
   void integrate(const std::optional<Detection>& followed,

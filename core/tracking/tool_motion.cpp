@@ -1,5 +1,7 @@
 #include "tracking/tool_motion.h"
 
+#include <cmath>
+
 namespace boomwatch {
 namespace {
 
@@ -9,6 +11,8 @@ constexpr double gate = 16.27;
 constexpr double firstSpeed = 2.0;
 constexpr int agreeingOutliers = 3;
 constexpr int agreedForVelocity = 3;
+/// What so many measurements agreed on is not given up for three others that it cannot explain.
+constexpr int agreedForCertainty = 10;
 
 }  // namespace
 
@@ -18,12 +22,17 @@ void ToolMotion::update(double stamp, const std::optional<Eigen::Vector3f>& meas
   if (m_known) predict(stamp - *m_stamp, parameters.acceleration);
   m_stamp = stamp;
   if (m_known && *age() > parameters.maxToolAge) m_known = false;
+  m_contradicted = false;
   if (!measured) return;
   const Eigen::Vector3d at = measured->cast<double>();
-  if (!m_known || insists(at, parameters.noise))
+  if (!m_known || !believe(at, parameters.noise)) {
+    const bool inReach = isInReach(at, parameters);
+    if ((m_known || !inReach) && !insists(at, parameters.noise)) return;
+    m_contradicted = !inReach;
+    if (m_contradicted) return;
     begin(at, parameters.noise);
-  else if (!believe(at, parameters.noise))
-    return;
+  }
+  m_believed = m_point;
   m_seenAt = stamp;
   m_outlier.reset();
   m_outliers = 0;
@@ -62,14 +71,21 @@ bool ToolMotion::believe(const Eigen::Vector3d& measured, double noise) {
   return true;
 }
 
-/// Whether `measured` is the third outlier in a row that says the same.
+/// Whether `measured`, an outlier, is the third in a row that says the same.
 bool ToolMotion::insists(const Eigen::Vector3d& measured, double noise) {
   const double variance = m_pp + noise * noise;
-  if ((measured - m_point).squaredNorm() <= gate * variance) return false;
   const bool again = m_outlier && (measured - *m_outlier).squaredNorm() <= gate * variance;
   m_outliers = again ? m_outliers + 1 : 1;
   m_outlier = measured;
   return m_outliers >= agreeingOutliers;
+}
+
+bool ToolMotion::isInReach(const Eigen::Vector3d& place,
+                           const TrackingParameters& parameters) const {
+  if (!m_seenAt || m_agreed < agreedForCertainty) return true;
+  const double reach =
+      parameters.fastest * (*m_stamp - *m_seenAt) + std::sqrt(gate) * parameters.noise;
+  return (place - m_believed).norm() <= reach;
 }
 
 std::optional<Eigen::Vector3f> ToolMotion::point() const {

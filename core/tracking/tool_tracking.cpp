@@ -78,7 +78,7 @@ void ToolTracking::stop() {
 
 void ToolTracking::obey(const TrackBox& order, const cv::Mat& image, TrackerKind kind) {
   begin(kind, [&](Tracker& fresh) { fresh.start(image, order.box); });
-  m_seen = Sight{image, order.box};
+  m_seen = m_sure = Sight{image, order.box};
   m_loaded.reset();
   if (!m_wanted) m_click = centreOf(order.box);
 }
@@ -87,6 +87,7 @@ void ToolTracking::obey(const TrackModel& order, const cv::Mat&, TrackerKind kin
   requireTracker(kind);
   begin(kind, [&](Tracker& fresh) { fresh.start(*order.model); });
   m_seen.reset();
+  m_sure.reset();
   m_loaded = order.model;
 }
 
@@ -100,6 +101,7 @@ void ToolTracking::obey(const PickTool& order, const cv::Mat&, TrackerKind) {
 void ToolTracking::obey(const ForgetTool&, const cv::Mat&, TrackerKind) {
   stop();
   m_seen.reset();
+  m_sure.reset();
   m_loaded.reset();
 }
 
@@ -131,6 +133,13 @@ void ToolTracking::changeKind(TrackerKind kind) {
   m_motion = motion;
 }
 
+/// What the tracker follows is not the tool.
+void ToolTracking::reject() {
+  if (m_tracker) m_tracker->reject();
+  m_track = Track::lost();
+  m_seen = m_sure;
+}
+
 ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
                                const TrackingParameters& parameters) {
   ToolTrack tool;
@@ -141,17 +150,17 @@ ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
     if (tool.point) tool.age = 0.0;
     return tool;
   }
+  std::optional<Eigen::Vector3f> measured;
+  if (m_track.box) measured = toolPointIn(cloud, *m_track.box, parameters.toolPoint);
+  m_motion.update(stamp, measured, parameters);
+  if (m_motion.contradicted()) reject();
+  if (m_motion.age() == 0.0) m_sure = m_seen;
   tool.state = m_track.state == TrackState::Idle ? TrackState::Lost : m_track.state;
   tool.learning = m_track.learning;
   tool.box = m_track.box;
   tool.confidence = m_track.confidence;
+  if (tool.box) tool.pixel = centreOf(*tool.box);
   if (m_tracker) tool.model = m_tracker->model();
-  std::optional<Eigen::Vector3f> measured;
-  if (tool.box) {
-    tool.pixel = centreOf(*tool.box);
-    measured = toolPointIn(cloud, *tool.box, parameters.toolPoint);
-  }
-  m_motion.update(stamp, measured, parameters);
   tool.point = m_motion.point();
   tool.velocity = m_motion.velocity();
   tool.age = m_motion.age();

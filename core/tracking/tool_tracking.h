@@ -72,6 +72,7 @@ class ToolTracking {
   void begin(TrackerKind kind, Begin&& begin);
   void beginAgain(TrackerKind kind);
   void stop();
+  void reject();
 
   struct Sight {
     cv::Mat image;
@@ -86,6 +87,7 @@ class ToolTracking {
   bool m_wanted = false;                     ///< a person asked for a tracker
   Track m_track;
   std::optional<Sight> m_seen;                ///< where the tool was last seen
+  std::optional<Sight> m_sure;                ///< the same, and its point was where it can be
   std::shared_ptr<const ToolModel> m_loaded;  ///< what TrackModel gave
   std::optional<cv::Point> m_click;
   ToolMotion m_motion;

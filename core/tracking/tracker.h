@@ -66,6 +66,11 @@ class Tracker {
   /// looked for again, where the tracker can.
   virtual Track track(const cv::Mat& image) = 0;
 
+  /// What was seen in the last image is not the target, as somebody else knows. From the next image
+  /// on it is looked for again, where the tracker can; else it stays lost until it is started anew.
+  /// Has no effect on a tracker that is never wrong or cannot be told.
+  virtual void reject() {}
+
   /// Has no effect where nothing is learnt.
   virtual void setLearning(bool /*on*/) {}
 

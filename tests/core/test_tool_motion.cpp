@@ -36,6 +36,9 @@ class TestToolMotion : public QObject {
   void isForgottenBeyondTheAge();
   void oneOutlierIsNotBelieved();
   void outliersThatAgreeAre();
+  void outliersOutOfReachContradict();
+  void whatCameOutOfReachAndWentIsForgotten();
+  void littleCertaintyContradictsNothing();
   void outliersThatDoNotAgreeAreNot();
   void aClockThatGoesBackwardsBeginsAnew();
   void theSameStampTwiceIsNoFault();
@@ -94,8 +97,8 @@ void TestToolMotion::isForgottenBeyondTheAge() {
   QVERIFY(!motion.point() && !motion.velocity());
   QVERIFY(std::abs(*motion.age() - 0.51) < 1e-9);
   // Wherever it comes back, it is taken for what it is.
-  motion.update(3.6, Vector3f(5, 5, 5), defaults);
-  QCOMPARE(*motion.point(), Vector3f(5, 5, 5));
+  motion.update(3.6, Vector3f(3, 1, 5), defaults);
+  QCOMPARE(*motion.point(), Vector3f(3, 1, 5));
   QVERIFY(!motion.velocity());
   QCOMPARE(*motion.age(), 0.0);
 }
@@ -112,13 +115,55 @@ void TestToolMotion::oneOutlierIsNotBelieved() {
 
 void TestToolMotion::outliersThatAgreeAre() {
   ToolMotion motion = moved(3.0, 20.0);
-  const Vector3f elsewhere = evenly(3.0) + Vector3f(0, 0, 4);
+  const Vector3f elsewhere = evenly(3.0) + Vector3f(0, 0, 0.8F);
   motion.update(3.05, elsewhere, defaults);
   motion.update(3.1, elsewhere, defaults);
-  QVERIFY((*motion.point() - elsewhere).norm() > 3.0F);
+  QVERIFY((*motion.point() - elsewhere).norm() > 0.5F);
   motion.update(3.15, elsewhere, defaults);
   QVERIFY((*motion.point() - elsewhere).norm() < 0.01F);
   QCOMPARE(*motion.age(), 0.0);
+  QVERIFY(!motion.contradicted());
+}
+
+void TestToolMotion::outliersOutOfReachContradict() {
+  ToolMotion motion = moved(3.0, 20.0);
+  // 4 m away at 5 m/s: not before 0.8 s have gone, less the noise.
+  const Vector3f elsewhere = evenly(3.0) + Vector3f(0, 0, 4);
+  int contradictions = 0;
+  double believed = 0.0;
+  for (int i = 1; i <= 20 && believed == 0.0; ++i) {
+    const double stamp = 3.0 + i * 0.05;
+    motion.update(stamp, elsewhere, defaults);
+    if (motion.contradicted()) {
+      ++contradictions;
+      QVERIFY(*motion.age() > 0.0);
+      QVERIFY(!motion.point() || (*motion.point() - elsewhere).norm() > 3.0F);
+    }
+    if (*motion.age() == 0.0) believed = stamp;
+  }
+  QVERIFY(contradictions >= 10);
+  QVERIFY(believed > 3.7 && believed <= 3.9);
+  QVERIFY(!motion.contradicted());
+}
+
+void TestToolMotion::whatCameOutOfReachAndWentIsForgotten() {
+  ToolMotion motion = moved(3.0, 20.0);
+  for (int i = 1; i <= 4; ++i) {
+    motion.update(3.0 + i * 0.05, Vector3f(evenly(3.0) + Vector3f(0, 0, 4)), defaults);
+  }
+  QVERIFY(motion.contradicted());
+  motion.update(3.25, evenly(3.25), defaults);
+  QVERIFY(!motion.contradicted());
+  QVERIFY((*motion.point() - evenly(3.25)).norm() < 0.05F);
+}
+
+/// Before many measurements agreed it may be the first that were wrong.
+void TestToolMotion::littleCertaintyContradictsNothing() {
+  ToolMotion motion = moved(0.2, 20.0);
+  const Vector3f elsewhere = evenly(0.2) + Vector3f(0, 0, 4);
+  for (int i = 1; i <= 3; ++i) motion.update(0.2 + i * 0.05, elsewhere, defaults);
+  QVERIFY(!motion.contradicted());
+  QVERIFY((*motion.point() - elsewhere).norm() < 0.01F);
 }
 
 void TestToolMotion::outliersThatDoNotAgreeAreNot() {

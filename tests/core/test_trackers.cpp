@@ -35,6 +35,8 @@ class TestTrackers : public QObject {
   void kltFollowsScale();
   void kltStaysLost();
   void csrtFindsAgainWhereItWas();
+  void whatIsRejectedIsLookedForAgain_data();
+  void whatIsRejectedIsLookedForAgain();
   void onlyTldHasAModel();
 
  private:
@@ -186,6 +188,31 @@ void TestTrackers::kltStaysLost() {
   }
   tracker->start(m_scene.image(beginning), TargetScene::box(beginning));
   QCOMPARE(toString(tracker->track(m_scene.image(beginning)).state), toString(TrackState::Tracked));
+}
+
+void TestTrackers::whatIsRejectedIsLookedForAgain() {
+  QFETCH(TrackerKind, kind);
+  QFETCH(bool, findsAgain);
+  const auto tracker = started(kind, m_scene);
+  for (int k = 0; k < 10; ++k) {
+    QVERIFY(tracker->track(m_scene.image(beginning + cv::Point2d(k, k))).box);
+  }
+  tracker->reject();
+  Track after = tracker->track(m_scene.image(beginning));
+  for (int k = 0; k < 5 && !after.box; ++k) after = tracker->track(m_scene.image(beginning));
+  QCOMPARE(toString(after.state), toString(findsAgain ? TrackState::Refound : TrackState::Lost));
+  QCOMPARE(after.box.has_value(), findsAgain);
+  tracker->start(m_scene.image(beginning), TargetScene::box(beginning));
+  QVERIFY(tracker->track(m_scene.image(beginning)).box);
+}
+
+void TestTrackers::whatIsRejectedIsLookedForAgain_data() {
+  QTest::addColumn<TrackerKind>("kind");
+  QTest::addColumn<bool>("findsAgain");
+  QTest::newRow("tld") << TrackerKind::Tld << true;
+  QTest::newRow("cmt") << TrackerKind::Cmt << true;
+  QTest::newRow("klt") << TrackerKind::Klt << false;
+  QTest::newRow("csrt") << TrackerKind::Csrt << false;
 }
 
 void TestTrackers::csrtFindsAgainWhereItWas() {
