@@ -21,8 +21,9 @@ class FernScan {
   /// `image`: CV_8UC1. The windows' left edges are `stride` pixels apart.
   FernScan(const FernEnsemble& ferns, const cv::Mat& image, int stride);
 
-  /// Of the windows whose upper edge is `row`, from the one `first` strides from the left edge.
-  /// What is given for those that reach out of the image means nothing.
+  /// Of the windows whose upper edge is `row`, from the one `first` strides from the left edge,
+  /// which must lie inside the image. What is given for those that reach out of it on the right
+  /// means nothing.
   void read(int row, int first, Codes& codes) const;
 
  private:

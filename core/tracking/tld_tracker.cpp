@@ -195,6 +195,11 @@ void TldTracker::lose() {
   m_imagesDoubted = 0;
 }
 
+void TldTracker::reject() {
+  lose();
+  m_imagesLost = imagesAway + 1;  // its size was that of something else
+}
+
 bool TldTracker::isDisputed(const std::vector<Detection>& detections) const {
   return std::ranges::any_of(detections, [&](const Detection& detection) {
     return overlap(detection.box, m_found->box) < sameOverlap;

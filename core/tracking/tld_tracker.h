@@ -28,7 +28,7 @@ class TldTracker : public Tracker {
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   void start(const ToolModel& model) override;
   Track track(const cv::Mat& image) override;
-  void reject() override { lose(); }
+  void reject() override;
   void setLearning(bool on) override { m_learns = on; }
   std::shared_ptr<const ToolModel> model() const override;
 

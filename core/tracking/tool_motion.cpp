@@ -1,7 +1,5 @@
 #include "tracking/tool_motion.h"
 
-#include <cmath>
-
 namespace boomwatch {
 namespace {
 
@@ -13,6 +11,9 @@ constexpr int agreeingOutliers = 3;
 constexpr int agreedForVelocity = 3;
 /// What so many measurements agreed on is not given up for three others that it cannot explain.
 constexpr int agreedForCertainty = 10;
+constexpr double longestContradiction = 3.0;  // seconds
+/// Metres: it may be another part of the tool that is measured now.
+constexpr double toolExtent = 1.0;
 
 }  // namespace
 
@@ -22,20 +23,28 @@ void ToolMotion::update(double stamp, const std::optional<Eigen::Vector3f>& meas
   if (m_known) predict(stamp - *m_stamp, parameters.acceleration);
   m_stamp = stamp;
   if (m_known && *age() > parameters.maxToolAge) m_known = false;
-  m_contradicted = false;
-  if (!measured) return;
-  const Eigen::Vector3d at = measured->cast<double>();
-  if (!m_known || !believe(at, parameters.noise)) {
-    const bool inReach = isInReach(at, parameters);
-    if ((m_known || !inReach) && !insists(at, parameters.noise)) return;
-    m_contradicted = !inReach;
-    if (m_contradicted) return;
-    begin(at, parameters.noise);
-  }
+  m_isContradicted = false;
+  m_isBelieved = measured && isAccepted(measured->cast<double>(), parameters);
+  if (!m_isBelieved) return;
   m_believed = m_point;
   m_seenAt = stamp;
   m_outlier.reset();
   m_outliers = 0;
+}
+
+bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters) {
+  const double noise = parameters.noise;
+  if (m_known && isInReach(measured, parameters) && believe(measured, noise)) return true;
+  noteOutlier(measured, noise);
+  const bool inReach = isInReach(measured, parameters);
+  const bool insists = m_outliers >= agreeingOutliers;
+  if (!insists && (m_known || !inReach)) return false;
+  if (!inReach && *m_stamp - m_outliersSince < longestContradiction) {
+    m_isContradicted = !m_known;
+    return false;
+  }
+  begin(measured, noise);
+  return true;
 }
 
 void ToolMotion::begin(const Eigen::Vector3d& at, double noise) {
@@ -71,21 +80,26 @@ bool ToolMotion::believe(const Eigen::Vector3d& measured, double noise) {
   return true;
 }
 
-/// Whether `measured`, an outlier, is the third in a row that says the same.
-bool ToolMotion::insists(const Eigen::Vector3d& measured, double noise) {
+bool ToolMotion::agreesWithOutlier(const Eigen::Vector3d& measured, double noise) const {
   const double variance = m_pp + noise * noise;
-  const bool again = m_outlier && (measured - *m_outlier).squaredNorm() <= gate * variance;
-  m_outliers = again ? m_outliers + 1 : 1;
-  m_outlier = measured;
-  return m_outliers >= agreeingOutliers;
+  return m_outlier && (measured - *m_outlier).squaredNorm() <= gate * variance;
 }
 
+void ToolMotion::noteOutlier(const Eigen::Vector3d& measured, double noise) {
+  const bool again = agreesWithOutlier(measured, noise);
+  if (!again) m_outliersSince = *m_stamp;
+  m_outliers = again ? m_outliers + 1 : 1;
+  m_outlier = measured;
+}
+
+/// Whether the tool can be at `place`, seeing where it was last. While a place out of reach is
+/// measured again and again it does not come into reach: the tool would have to be there already.
 bool ToolMotion::isInReach(const Eigen::Vector3d& place,
                            const TrackingParameters& parameters) const {
-  if (!m_seenAt || m_agreed < agreedForCertainty) return true;
-  const double reach =
-      parameters.fastest * (*m_stamp - *m_seenAt) + std::sqrt(gate) * parameters.noise;
-  return (place - m_believed).norm() <= reach;
+  const double at = agreesWithOutlier(place, parameters.noise) ? m_outliersSince : *m_stamp;
+  // Without time between them nothing can be said of the speed.
+  if (!m_seenAt || at <= *m_seenAt || m_agreed < agreedForCertainty) return true;
+  return (place - m_believed).norm() <= toolExtent + parameters.fastest * (at - *m_seenAt);
 }
 
 std::optional<Eigen::Vector3f> ToolMotion::point() const {

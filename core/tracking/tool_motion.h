@@ -9,20 +9,23 @@ namespace boomwatch {
 
 /// The tool's point over time: a Kalman filter for constant velocity, alike on all three axes.
 /// A measurement too far from where the tool is expected is not believed; three such in a row that
-/// agree with one another are, and the filter begins anew there, unless the tool cannot have got
-/// there since it was last seen: they contradict it. Camera frame, metres, seconds.
+/// agree with one another are, and the filter begins anew there. Not so where ten had agreed before
+/// and the tool cannot have got there since (TrackingParameters::fastest): that is believed only
+/// after it was insisted on for three seconds. Camera frame, metres, seconds.
 class ToolMotion {
  public:
   /// One frame on: to `stamp`, seconds on the source's clock, with the point measured there.
-  /// Beyond maxToolAge without one that is believed, and when the clock went backwards, everything
-  /// but the age is forgotten.
+  /// Beyond maxToolAge without one that is believed, point and velocity are not known; when the
+  /// clock went backwards, everything is forgotten.
   void update(double stamp, const std::optional<Eigen::Vector3f>& measured,
               const TrackingParameters& parameters);
   void reset() { *this = ToolMotion(); }
 
-  /// Whether the last measurements insist on a place that the tool cannot have reached: whoever
-  /// measured them follows something else.
-  bool contradicted() const { return m_contradicted; }
+  /// Whether the last measurement was believed.
+  bool believed() const { return m_isBelieved; }
+  /// Whether it is maxToolAge since one was, and the last ones insist on a place that the tool
+  /// cannot have reached: most likely, whoever measured them follows something else.
+  bool contradicted() const { return m_isContradicted; }
 
   /// Where the tool is at the last stamp: smoothed, or carried on with its velocity as long as the
   /// age is within maxToolAge. Absent: not known.
@@ -36,8 +39,10 @@ class ToolMotion {
   void begin(const Eigen::Vector3d& at, double noise);
   void predict(double seconds, double acceleration);
   bool believe(const Eigen::Vector3d& measured, double noise);
-  bool insists(const Eigen::Vector3d& measured, double noise);
+  bool agreesWithOutlier(const Eigen::Vector3d& measured, double noise) const;
+  void noteOutlier(const Eigen::Vector3d& measured, double noise);
   bool isInReach(const Eigen::Vector3d& place, const TrackingParameters& parameters) const;
+  bool isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters);
 
   bool m_known = false;  ///< point and velocity hold
   Eigen::Vector3d m_point = Eigen::Vector3d::Zero();
@@ -45,9 +50,10 @@ class ToolMotion {
   double m_pp = 0.0, m_pv = 0.0, m_vv = 0.0;             ///< covariance, of each axis
   int m_agreed = 0;                                      ///< measurements since it began
   Eigen::Vector3d m_believed = Eigen::Vector3d::Zero();  ///< the point at m_seenAt
-  bool m_contradicted = false;
+  bool m_isBelieved = false, m_isContradicted = false;
   std::optional<Eigen::Vector3d> m_outlier;  ///< the last one that was not believed
   int m_outliers = 0;                        ///< in a row, each near the one before
+  double m_outliersSince = 0.0;              ///< stamp of the first of these
   std::optional<double> m_stamp;
   std::optional<double> m_seenAt;
 };

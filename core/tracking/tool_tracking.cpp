@@ -136,7 +136,7 @@ void ToolTracking::changeKind(TrackerKind kind) {
 /// What the tracker follows is not the tool.
 void ToolTracking::reject() {
   if (m_tracker) m_tracker->reject();
-  m_track = Track::lost();
+  m_track = {TrackState::Lost, std::nullopt, 0.0, m_track.learning};
   m_seen = m_sure;
 }
 
@@ -154,7 +154,7 @@ ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
   if (m_track.box) measured = toolPointIn(cloud, *m_track.box, parameters.toolPoint);
   m_motion.update(stamp, measured, parameters);
   if (m_motion.contradicted()) reject();
-  if (m_motion.age() == 0.0) m_sure = m_seen;
+  if (m_motion.believed()) m_sure = m_seen;
   tool.state = m_track.state == TrackState::Idle ? TrackState::Lost : m_track.state;
   tool.learning = m_track.learning;
   tool.box = m_track.box;

@@ -58,7 +58,6 @@ class TestToolTracking : public QObject {
   void aModelForATrackerThatKeepsNone();
   void lostButNotForLong();
   void lostForLongerThanTheLimit();
-  void aTrackerThatLeapsIsToldSo();
   void anotherKindBeginsWhereTheOldOneLastSawIt();
   void anotherKindThatCannotBegin();
   void manualTakesTheBoxOver();
@@ -220,29 +219,6 @@ void TestToolTracking::lostForLongerThanTheLimit() {
   QVERIFY(std::abs(*tool.age - 0.6) < 1e-9);
   stage.script->see = nullptr;
   QVERIFY(!stage.frame().lost());
-}
-
-void TestToolTracking::aTrackerThatLeapsIsToldSo() {
-  Stage stage;
-  stage.tracking.order(TrackBox{box});
-  stage.frames(15);
-  QCOMPARE(stage.script->rejections, 0);
-  // The tracker goes on, sure of itself, on a wall 17 m further away.
-  stage.cloud = wallCloud(20.0F);
-  const cv::Rect2d wrong(100, 100, 20, 20);
-  stage.script->see = [&](const cv::Mat&) {
-    return Track{TrackState::Tracked, wrong, 0.9, LearningState::On};
-  };
-  const ToolTrack tool = stage.frames(4);
-  QVERIFY(stage.script->rejections > 0);
-  QCOMPARE(text(tool.state), text(TrackState::Lost));
-  QVERIFY(!tool.box && !tool.pixel);
-  QVERIFY(tool.point->z() < 4.0F);
-  QVERIFY(stage.frames(3).lost());
-  // Begun anew, it begins where the tool surely was.
-  stage.tracking.order(TrackAgain{});
-  stage.frame();
-  QVERIFY(stage.script->boxes.back() == box);
 }
 
 void TestToolTracking::anotherKindBeginsWhereTheOldOneLastSawIt() {

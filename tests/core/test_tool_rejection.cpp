@@ -1,0 +1,104 @@
+#include <QtTest>
+
+#include "fake_tracker.h"
+#include "flat_scene.h"
+#include "tracking/tool_tracking.h"
+
+using namespace boomwatch;
+using namespace boomwatch::test;
+
+namespace {
+
+const cv::Rect2d box(40, 60, 20, 24), elsewhere(100, 100, 20, 20);
+
+/// A ToolTracking whose fake tracker has long been right, before a wall 3 m away.
+struct Stage {
+  std::shared_ptr<TrackerScript> script = std::make_shared<TrackerScript>();
+  ToolTracking tracking{fakeTrackers(script)};
+  TrackingParameters parameters;
+  cv::Mat image = texture({160, 160});
+  std::shared_ptr<Cloud> cloud = wallCloud(3.0F);
+  double stamp = 0.0;
+
+  Stage() {
+    tracking.order(TrackBox{box});
+    frames(20);
+  }
+
+  ToolTrack frames(int count) {
+    ToolTrack last;
+    for (int i = 0; i < count; ++i) {
+      stamp += 0.1;
+      tracking.look(image, parameters);
+      last = tracking.locate(*cloud, stamp, parameters);
+    }
+    return last;
+  }
+
+  /// The tracker goes on, sure of itself, on a wall 17 m further away.
+  void leap() {
+    cloud = wallCloud(20.0F);
+    script->see = [](const cv::Mat&) {
+      return Track{TrackState::Tracked, elsewhere, 0.9, LearningState::On};
+    };
+  }
+};
+
+}  // namespace
+
+/// What becomes of a tracker that follows something else than the tool.
+class TestToolRejection : public QObject {
+  Q_OBJECT
+ private slots:
+  void aTrackerThatLeapsIsToldSo();
+  void aWrongDepthForAMomentHarmsNobody();
+  void againBeginsWhereTheToolSurelyWas();
+  void whatIsInsistedOnForLongIsTheTool();
+};
+
+void TestToolRejection::aTrackerThatLeapsIsToldSo() {
+  Stage stage;
+  QCOMPARE(stage.script->rejections, 0);
+  stage.leap();
+  const ToolTrack soon = stage.frames(4);
+  QVERIFY(soon.point && soon.point->z() < 4.0F);
+  const ToolTrack late = stage.frames(4);
+  QVERIFY(stage.script->rejections > 0);
+  QVERIFY(late.lost());
+  QVERIFY(late.state == TrackState::Lost);
+  QVERIFY(!late.box && !late.pixel && late.confidence == 0.0);
+  // It learns all the same, once it has found the tool again.
+  QVERIFY(late.learning == LearningState::On);
+}
+
+/// Through a grapple the ground is seen, or a leaf comes before it: the box is right all the time.
+void TestToolRejection::aWrongDepthForAMomentHarmsNobody() {
+  Stage stage;
+  const auto right = stage.cloud;
+  stage.cloud = wallCloud(20.0F);
+  const ToolTrack during = stage.frames(4);
+  QVERIFY(during.box && during.point && during.point->z() < 4.0F);
+  stage.cloud = right;
+  const ToolTrack after = stage.frames(1);
+  QCOMPARE(stage.script->rejections, 0);
+  QCOMPARE(*after.age, 0.0);
+}
+
+void TestToolRejection::againBeginsWhereTheToolSurelyWas() {
+  Stage stage;
+  stage.leap();
+  stage.frames(8);
+  stage.tracking.order(TrackAgain{});
+  stage.frames(1);
+  QVERIFY(stage.script->boxes.size() == 2 && stage.script->boxes.back() == box);
+}
+
+void TestToolRejection::whatIsInsistedOnForLongIsTheTool() {
+  Stage stage;
+  stage.leap();
+  QVERIFY(stage.frames(29).lost());
+  QVERIFY(stage.frames(4).point);
+}
+
+QTEST_APPLESS_MAIN(TestToolRejection)
+#include "test_tool_rejection.moc"
