@@ -1,8 +1,6 @@
 #include <QtTest>
 
-#include "fake_tracker.h"
-#include "flat_scene.h"
-#include "tracking/tool_tracking.h"
+#include "tool_stage.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -11,28 +9,11 @@ namespace {
 
 const cv::Rect2d box(40, 60, 20, 24), elsewhere(100, 100, 20, 20);
 
-/// A ToolTracking whose fake tracker has long been right, before a wall 3 m away.
-struct Stage {
-  std::shared_ptr<TrackerScript> script = std::make_shared<TrackerScript>();
-  ToolTracking tracking{fakeTrackers(script)};
-  TrackingParameters parameters;
-  cv::Mat image = texture({160, 160});
-  std::shared_ptr<Cloud> cloud = wallCloud(3.0F);
-  double stamp = 0.0;
-
+/// Its tracker has long been right.
+struct Stage : ToolStage {
   Stage() {
     tracking.order(TrackBox{box});
     frames(20);
-  }
-
-  ToolTrack frames(int count) {
-    ToolTrack last;
-    for (int i = 0; i < count; ++i) {
-      stamp += 0.1;
-      tracking.look(image, parameters);
-      last = tracking.locate(*cloud, stamp, parameters);
-    }
-    return last;
   }
 
   /// The tracker goes on, sure of itself, on a wall 17 m further away.

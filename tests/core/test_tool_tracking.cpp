@@ -1,9 +1,7 @@
 #include <QtTest>
 #include <stdexcept>
 
-#include "fake_tracker.h"
-#include "flat_scene.h"
-#include "tracking/tool_tracking.h"
+#include "tool_stage.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -18,26 +16,7 @@ QByteArray text(Enum value) {
 
 const cv::Rect2d box(40, 60, 20, 24);  // its middle is (50, 72)
 
-/// A ToolTracking with fake trackers, fed with frames of a still wall.
-struct Stage {
-  std::shared_ptr<TrackerScript> script = std::make_shared<TrackerScript>();
-  ToolTracking tracking{fakeTrackers(script)};
-  TrackingParameters parameters;
-  cv::Mat image = texture({160, 160});
-  std::shared_ptr<Cloud> cloud = wallCloud(3.0F);
-  double stamp = 0.0;
-
-  ToolTrack frame() {
-    stamp += 0.1;
-    tracking.look(image, parameters);
-    return tracking.locate(*cloud, stamp, parameters);
-  }
-  ToolTrack frames(int count) {
-    ToolTrack last;
-    for (int i = 0; i < count; ++i) last = frame();
-    return last;
-  }
-};
+using Stage = ToolStage;
 
 Track lostTrack(const cv::Mat&) { return Track::lost(); }
 

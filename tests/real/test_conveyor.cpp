@@ -4,8 +4,10 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "conveyor.h"
 #include "real_data.h"
 #include "sequence.h"
+#include "tracking/tracker.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -17,12 +19,6 @@ namespace {
 constexpr Stretch layingDown{55, 125}, carryingOut{235, 285};
 constexpr std::size_t handArrives = 80, handReturns = 245;
 constexpr double nearer = 0.06;  ///< metres; the box is 0.15 m high
-
-cv::Mat grey(const cv::Mat& image) {
-  cv::Mat result;
-  if (image.channels() == 3) cv::cvtColor(image, result, cv::COLOR_BGR2GRAY);
-  return image.channels() == 3 ? result : image.clone();
-}
 
 /// Pixels that differ by more than the noise of the recording.
 cv::Mat changed(const cv::Mat& a, const cv::Mat& b) {
@@ -48,7 +44,7 @@ cv::Mat largestPiece(const cv::Mat& mask) {
 class BoxWatch {
  public:
   void look(const Result& result, const EnvironmentModel& model) {
-    const cv::Mat image = grey(result.image);
+    const cv::Mat image = greyOf(result.image);
     m_frame = result.frame->sequence;
     if (m_frame < handArrives) {
       learnEmptyBelt(model);
@@ -117,19 +113,6 @@ class BoxWatch {
   std::optional<std::size_t> m_lies;
   std::map<std::size_t, Held> m_held;
 };
-
-Parameters beltParameters() {
-  Parameters parameters;
-  parameters.bounds = {-1.0, 1.1, -0.5, 0.4, 0.5, 2.5};
-  parameters.model.resolution = 0.02;
-  parameters.filter.clusterTolerance = 0.05;
-  parameters.filter.clusterMinimum = 50;
-  parameters.stereo.disparities = 160;
-  parameters.stereo.blockSize = 9;
-  parameters.stereo.speckleWindow = 200;
-  parameters.stereo.texture = 0.1;  // plain cardboard
-  return parameters;
-}
 
 }  // namespace
 

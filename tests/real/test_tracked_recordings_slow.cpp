@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <stdexcept>
 
+#include "conveyor.h"
 #include "real_data.h"
 #include "sequence.h"
 #include "tracking/tool_detector.h"
+#include "tracking/tracker.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -40,10 +43,11 @@ class TargetWatch {
   }
 
  private:
-  static double quantile(std::vector<double> values, double share) {
+  static double quantile(const std::vector<double>& values, double share) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    std::multiset<double> sorted(values.begin(), values.end());
+    return *std::next(sorted.begin(),
+                      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1)));
   }
 
   /// Median of what is measured there.
@@ -76,27 +80,10 @@ cv::Mat arrived(const cv::Mat& image, const cv::Mat& before) {
   return labels == largest.y + 1;
 }
 
-cv::Mat grey(const cv::Mat& image) {
-  cv::Mat result = image.clone();
-  if (image.channels() == 3) cv::cvtColor(image, result, cv::COLOR_BGR2GRAY);
-  return result;
-}
-
 FramePtr frameOf(FrameSource& source) {
   const ReadResult read = source.next(std::chrono::seconds(1));
   if (read.status != ReadResult::Status::Ok) throw std::runtime_error("the recording is too short");
   return read.frame;
-}
-
-Parameters beltParameters() {
-  Parameters parameters;
-  parameters.bounds = {-1.0, 1.1, -0.5, 0.4, 0.5, 2.5};
-  parameters.model.resolution = 0.02;
-  parameters.stereo.disparities = 160;
-  parameters.stereo.blockSize = 9;
-  parameters.stereo.speckleWindow = 200;
-  parameters.stereo.texture = 0.1;  // plain cardboard
-  return parameters;
 }
 
 void trackers() {
@@ -131,13 +118,13 @@ void TestTrackedRecordings::aBoxOnAConveyorBelt() {
   Pipeline pipeline;
   const auto next = [&] { return pipeline.process(frameOf(*source), parameters); };
   QVERIFY(source->seek(empty));
-  emptyBelt = grey(next().image);
+  emptyBelt = greyOf(next().image);
   QVERIFY(source->seek(lies));
   const Result first = next();
-  pipeline.order(TrackBox{cv::Rect2d(cv::boundingRect(arrived(grey(first.image), emptyBelt)))});
+  pipeline.order(TrackBox{cv::Rect2d(cv::boundingRect(arrived(greyOf(first.image), emptyBelt)))});
   for (std::size_t frame = lies + 1; frame < handReturns; ++frame) {
     const Result result = next();
-    watch.look(result, arrived(grey(result.image), emptyBelt));
+    watch.look(result, arrived(greyOf(result.image), emptyBelt));
   }
   watch.print();
   QVERIFY(watch.trackedShare() >= 0.95);
