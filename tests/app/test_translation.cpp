@@ -45,11 +45,11 @@ class TestTranslation : public QObject {
     static const QRegularExpression message(
         QStringLiteral("<source>(.*?)</source>\\s*<translation>(.*?)</translation>"),
         QRegularExpression::DotMatchesEverythingOption);
-    static const QRegularExpression placeholder(QStringLiteral("%\\d"));
+    static const QRegularExpression argument(QStringLiteral("%\\d"));
     auto messages = message.globalMatch(QString::fromUtf8(file.readAll()));
     const auto placeholders = [](const QString& text) {
       QStringList found;
-      auto matches = placeholder.globalMatch(text);
+      auto matches = argument.globalMatch(text);
       while (matches.hasNext()) found << matches.next().captured();
       found.sort();
       return found;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "simulation/yard/dice.h"
 
@@ -30,7 +29,7 @@ const Lattice& lattice() {
   return it;
 }
 
-/// std::floor is a call into the library on machines without SSE4, and this is asked for millions
+/// std::floor is a call into the library in a build for any x86-64, and this is asked for millions
 /// of times a picture.
 int below(float x) {
   const int whole = static_cast<int>(x);
