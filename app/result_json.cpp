@@ -31,6 +31,8 @@ QJsonValue toolObject(const ToolTrack& tool) {
       {"point", vector(tool.point)},
       {"velocity", vector(tool.velocity)},
       {"age_s", number(tool.age)},
+      {"doubted", tool.isDoubted},
+      {"given_up", tool.hasGivenUp},
       {"learning", text(toString(tool.learning))},
   };
 }

@@ -1242,12 +1242,24 @@
         <translation>Werkzeug gesehen, aber nicht seine Tiefe: Ausleger und Last werden nicht aus der Wolke genommen, also gibt es keinen Abstand.</translation>
     </message>
     <message>
-        <source>Tool seen, but not its depth for %1: boom and load are no longer taken out of the cloud, so there is no distance.</source>
-        <translation>Werkzeug gesehen, aber seit %1 nicht seine Tiefe: Ausleger und Last werden nicht mehr aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+        <source>%1: boom and load are no longer taken out of the cloud, so there is no distance.</source>
+        <translation>%1: Ausleger und Last werden nicht mehr aus der Wolke genommen, also gibt es keinen Abstand.</translation>
     </message>
     <message>
-        <source>Tool lost for %1: boom and load are no longer taken out of the cloud, so there is no distance.</source>
-        <translation>Werkzeug seit %1 verloren: Ausleger und Last werden nicht mehr aus der Wolke genommen, also gibt es keinen Abstand.</translation>
+        <source>Tool seen, but for %1 where it cannot be</source>
+        <translation>Werkzeug gesehen, aber seit %1 dort, wo es nicht sein kann</translation>
+    </message>
+    <message>
+        <source> It is not looked for any more: begin again, or draw a new box.</source>
+        <translation> Es wird nicht mehr gesucht: Beginnen Sie neu, oder zeichnen Sie einen neuen Rahmen.</translation>
+    </message>
+    <message>
+        <source>, cannot be there</source>
+        <translation>, kann dort nicht sein</translation>
+    </message>
+    <message>
+        <source>Tool lost for %1</source>
+        <translation>Werkzeug seit %1 verloren</translation>
     </message>
     <message>
         <source>manual: the click stays where it is</source>

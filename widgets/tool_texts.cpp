@@ -20,6 +20,13 @@ QString seconds(double value) {
   return ToolTexts::tr("%1 s").arg(QLocale().toString(value, 'f', 1));
 }
 
+/// With a box, but for some time no depth that can be the tool's.
+QString unlocatedText(const ToolTrack& tool) {
+  const QString text = tool.isDoubted ? ToolTexts::tr("Tool seen, but for %1 where it cannot be")
+                                      : ToolTexts::tr("Tool seen, but not its depth for %1");
+  return text.arg(seconds(*tool.age));
+}
+
 /// While a tracker runs that does not know where the tool is.
 QString lostSentence(const ToolTrack& tool) {
   if (!tool.age && !tool.box) {
@@ -32,14 +39,23 @@ QString lostSentence(const ToolTrack& tool) {
         "Tool seen, but not its depth: boom and load are not taken out of the cloud, so there is "
         "no distance.");
   }
-  const QString text = tool.box
-                           ? ToolTexts::tr(
-                                 "Tool seen, but not its depth for %1: boom and load are no longer "
-                                 "taken out of the cloud, so there is no distance.")
-                           : ToolTexts::tr(
-                                 "Tool lost for %1: boom and load are no longer taken out of the "
-                                 "cloud, so there is no distance.");
-  return text.arg(seconds(*tool.age));
+  const QString what =
+      tool.box ? unlocatedText(tool) : ToolTexts::tr("Tool lost for %1").arg(seconds(*tool.age));
+  return ToolTexts::tr(
+             "%1: boom and load are no longer taken out of the cloud, so there is no distance.")
+      .arg(what);
+}
+
+QString knownSentence(const ToolTrack& tool, const TrackingParameters& parameters) {
+  if (tool.age == 0.0) {
+    return tool.state == TrackState::Refound
+               ? ToolTexts::tr("Tool found again, confidence %1.").arg(percent(tool.confidence))
+               : ToolTexts::tr("Tool tracked, confidence %1.").arg(percent(tool.confidence));
+  }
+  const QString what = tool.box ? unlocatedText(tool)
+                                : ToolTexts::tr("Tool not seen for %1").arg(seconds(*tool.age));
+  return what + ToolTexts::tr(": taken to go on as it moved. At %1 it counts as lost.")
+                    .arg(seconds(parameters.maxToolAge));
 }
 
 }  // namespace
@@ -65,7 +81,9 @@ QString toolLabel(const ToolTrack& tool) {
   const QString text = tool.state == TrackState::Refound ? ToolTexts::tr("Tool found again %1")
                                                          : ToolTexts::tr("Tool %1");
   const QString label = text.arg(percent(tool.confidence));
-  return tool.age == 0.0 ? label : label + ToolTexts::tr(", no depth");
+  if (tool.age == 0.0) return label;
+  return label +
+         (tool.isDoubted ? ToolTexts::tr(", cannot be there") : ToolTexts::tr(", no depth"));
 }
 
 QString toolSentence(const ToolTrack& tool, const TrackingParameters& parameters) {
@@ -73,17 +91,9 @@ QString toolSentence(const ToolTrack& tool, const TrackingParameters& parameters
     return tool.pixel ? ToolTexts::tr("The tool is where it was clicked; nothing follows it.")
                       : ToolTexts::tr("No tool: draw a box around it in the camera picture.");
   }
-  if (tool.lost()) return lostSentence(tool);
-  if (tool.age == 0.0) {
-    return tool.state == TrackState::Refound
-               ? ToolTexts::tr("Tool found again, confidence %1.").arg(percent(tool.confidence))
-               : ToolTexts::tr("Tool tracked, confidence %1.").arg(percent(tool.confidence));
-  }
-  const QString text = tool.box ? ToolTexts::tr("Tool seen, but not its depth for %1")
-                                : ToolTexts::tr("Tool not seen for %1");
-  return text.arg(seconds(*tool.age)) +
-         ToolTexts::tr(": taken to go on as it moved. At %1 it counts as lost.")
-             .arg(seconds(parameters.maxToolAge));
+  const QString text = tool.lost() ? lostSentence(tool) : knownSentence(tool, parameters);
+  if (!tool.hasGivenUp) return text;
+  return text + ToolTexts::tr(" It is not looked for any more: begin again, or draw a new box.");
 }
 
 QString learningSentence(LearningState state) {

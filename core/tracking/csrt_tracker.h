@@ -23,6 +23,7 @@ class CsrtTracker : public Tracker {
   Track track(const cv::Mat& image) override;
   /// It would go on around the wrong place: it stays lost.
   void reject() override { m_isRejected = true; }
+  bool hasGivenUp() const override { return m_isRejected; }
 
  private:
   double confidenceIn(const cv::Mat& image, const cv::Rect& box);

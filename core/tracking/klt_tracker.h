@@ -16,6 +16,7 @@ class KltTracker : public Tracker {
   void start(const cv::Mat& image, const cv::Rect2d& box) override;
   Track track(const cv::Mat& image) override;
   void reject() override { m_before.release(); }
+  bool hasGivenUp() const override { return m_started && m_before.empty(); }
 
  private:
   cv::Mat m_before;  ///< CV_8UC1; empty when lost or not started

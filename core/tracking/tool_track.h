@@ -23,6 +23,9 @@ struct ToolTrack {
   std::optional<Eigen::Vector3f> velocity;  ///< metres a second; absent until it is known
   /// Seconds since the point was last measured, 0: in this frame; absent: never.
   std::optional<double> age;
+  /// A depth was measured in `box`, but the tool cannot be there: the box may be on something else.
+  bool isDoubted = false;
+  bool hasGivenUp = false;  ///< lost, and not looked for any more: the tracker must be begun again
   std::shared_ptr<const ToolModel> model;  ///< what the tracker has learnt, where it learns
   std::string fault;                       ///< English: why what was asked for could not be done
 

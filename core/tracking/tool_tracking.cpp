@@ -160,6 +160,8 @@ ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
   tool.box = m_track.box;
   tool.confidence = m_track.confidence;
   if (tool.box) tool.pixel = centreOf(*tool.box);
+  tool.isDoubted = tool.box && measured && !m_motion.believed();
+  tool.hasGivenUp = m_tracker && m_tracker->hasGivenUp();
   if (m_tracker) tool.model = m_tracker->model();
   tool.point = m_motion.point();
   tool.velocity = m_motion.velocity();

@@ -70,6 +70,8 @@ class Tracker {
   /// on it is looked for again, where the tracker can; else it stays lost until it is started anew.
   /// Has no effect on a tracker that is never wrong or cannot be told.
   virtual void reject() {}
+  /// Whether it has lost the target for good: only start() helps.
+  virtual bool hasGivenUp() const { return false; }
 
   /// Has no effect where nothing is learnt.
   virtual void setLearning(bool /*on*/) {}

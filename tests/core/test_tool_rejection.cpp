@@ -43,11 +43,12 @@ void TestToolRejection::aTrackerThatLeapsIsToldSo() {
   stage.leap();
   const ToolTrack soon = stage.frames(4);
   QVERIFY(soon.point && soon.point->z() < 4.0F);
+  QVERIFY(soon.box && soon.isDoubted);
   const ToolTrack late = stage.frames(4);
   QVERIFY(stage.script->rejections > 0);
   QVERIFY(late.lost());
   QVERIFY(late.state == TrackState::Lost);
-  QVERIFY(!late.box && !late.pixel && late.confidence == 0.0);
+  QVERIFY(!late.box && !late.pixel && !late.isDoubted && late.confidence == 0.0);
   // It learns all the same, once it has found the tool again.
   QVERIFY(late.learning == LearningState::On);
 }
@@ -63,6 +64,7 @@ void TestToolRejection::aWrongDepthForAMomentHarmsNobody() {
   const ToolTrack after = stage.frames(1);
   QCOMPARE(stage.script->rejections, 0);
   QCOMPARE(*after.age, 0.0);
+  QVERIFY(!after.isDoubted);
 }
 
 void TestToolRejection::againBeginsWhereTheToolSurelyWas() {

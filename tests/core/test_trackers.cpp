@@ -202,8 +202,10 @@ void TestTrackers::whatIsRejectedIsLookedForAgain() {
   for (int k = 0; k < 5 && !after.box; ++k) after = tracker->track(m_scene.image(beginning));
   QCOMPARE(toString(after.state), toString(findsAgain ? TrackState::Refound : TrackState::Lost));
   QCOMPARE(after.box.has_value(), findsAgain);
+  QCOMPARE(tracker->hasGivenUp(), !findsAgain);
   tracker->start(m_scene.image(beginning), TargetScene::box(beginning));
   QVERIFY(tracker->track(m_scene.image(beginning)).box);
+  QVERIFY(!tracker->hasGivenUp());
 }
 
 void TestTrackers::whatIsRejectedIsLookedForAgain_data() {

@@ -58,6 +58,7 @@ class TestTrackingDock : public QObject {
   void onlyWhatCanBeDoneIsEnabled();
   void saysWhereTheTrackerStands_data();
   void saysWhereTheTrackerStands();
+  void saysWhatIsDoubtedOrGivenUp();
   void saysWhatIsLearnt();
   void theStripShowsTheNewestAndIsBounded();
   void oddPatchesAreHarmless();
@@ -157,6 +158,31 @@ void TestTrackingDock::saysWhereTheTrackerStands() {
   dock.setDisplay(display(tool));
   QVERIFY2(dock.stateText().contains(words), qPrintable(dock.stateText()));
   QCOMPARE(dock.stateText().contains("no distance"), tool.lost());
+}
+
+void TestTrackingDock::saysWhatIsDoubtedOrGivenUp() {
+  TrackingDock dock;
+  ToolTrack tool = tracked();
+  tool.age = 0.3;
+  QCOMPARE(toolLabel(tool), QString("Tool 83 %, no depth"));
+  tool.isDoubted = true;
+  QCOMPARE(toolLabel(tool), QString("Tool 83 %, cannot be there"));
+  dock.setDisplay(display(tool));
+  QVERIFY2(dock.stateText().contains("seen, but for 0.3 s where it cannot be: taken to go on"),
+           qPrintable(dock.stateText()));
+  tool.point.reset();
+  tool.age = 2.0;
+  dock.setDisplay(display(tool));
+  QVERIFY2(dock.stateText().contains("for 2.0 s where it cannot be: boom and load"),
+           qPrintable(dock.stateText()));
+  QVERIFY(!dock.stateText().contains("begin again"));
+  tool.box.reset();
+  tool.isDoubted = false;
+  tool.hasGivenUp = true;
+  dock.setDisplay(display(tool));
+  QVERIFY2(dock.stateText().contains("lost for 2.0 s: boom and load"),
+           qPrintable(dock.stateText()));
+  QVERIFY(dock.stateText().endsWith("begin again, or draw a new box."));
 }
 
 void TestTrackingDock::saysWhatIsLearnt() {
