@@ -74,6 +74,9 @@ void addOptions(QCommandLineParser& parser) {
   option("evaluate", "tracking",
          tr("Instead of all this, run trackers over the FOLDERs that follow, each a sequence with "
             "ground truth or a folder of such; --output names a folder for the tables"));
+  option("absences", "N",
+         tr("With --evaluate: take the target out of each sequence N times for 40 frames, and see "
+            "whether it is found again"));
   addExperimentOptions(option);
   parser.addOption(
       QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
@@ -173,6 +176,10 @@ void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
   line.evaluate = parser.isSet(QStringLiteral("evaluate"));
   const QStringList words = parser.positionalArguments();
   if (!line.evaluate) {
+    if (parser.isSet(QStringLiteral("absences"))) {
+      throw Error("--absences", "nothing is evaluated",
+                  "Write --evaluate tracking FOLDER... as well.");
+    }
     if (words.isEmpty()) return;
     throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
                 "Name a recording with --source KIND:PATH; --help lists the kinds.");
@@ -186,6 +193,9 @@ void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
     throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
   }
   line.evaluationFolders = words;
+  if (!parser.isSet(QStringLiteral("absences"))) return;
+  line.absences = static_cast<std::size_t>(
+      wholeNumber(QStringLiteral("--absences"), parser.value(QStringLiteral("absences")), 1));
 }
 
 double hoursOf(const QString& text) {

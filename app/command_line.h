@@ -31,10 +31,11 @@ struct CommandLine {
   std::string saveTrackerModel;            ///< empty: nowhere
   bool evaluate = false;                   ///< run trackers over evaluationFolders; see evaluate.h
   QStringList evaluationFolders;           ///< at least one
-  QStringList trackers;                    ///< of --tracker; empty: all of them are evaluated
-  bool experiments = false;                ///< see experiments_run.h; output is a folder
-  QString tracking;  ///< with experiments: sequences with ground truth; empty: none
-  QString bench;     ///< with experiments: JSON of the benchmarks; empty: none
+  std::size_t absences = 0;  ///< with evaluate: how often the target is taken out of each sequence
+  QStringList trackers;      ///< of --tracker; empty: all of them are evaluated
+  bool experiments = false;  ///< see experiments_run.h; output is a folder
+  QString tracking;          ///< with experiments: sequences with ground truth; empty: none
+  QString bench;             ///< with experiments: JSON of the benchmarks; empty: none
   std::optional<std::size_t> sequences;  ///< with experiments: random yards
   std::optional<double> hours;           ///< with experiments: of simulated work
   QString only;                          ///< with experiments: names of some; empty: all

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "evaluation/absences.h"
 #include "evaluation/evaluation_table.h"
 #include "evaluation/tracking_evaluation.h"
 #include "evaluation/tracking_sequence.h"
@@ -79,6 +80,7 @@ class Evaluation {
     if (InterruptWatch::interrupted()) return without(name, RunState::Interrupted, "");
     try {
       TrackingSequence sequence = openTrackingSequence(m_folders[index]);
+      if (m_line.absences > 0) addAbsences(sequence, m_line.absences, m_line.frames);
       return evaluateSequence(sequence, m_trackers, m_line.frames,
                               [&](std::size_t frame, std::size_t frames) {
                                 sayProgress(index, sequence.name, frame, frames);

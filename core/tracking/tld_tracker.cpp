@@ -38,6 +38,11 @@ constexpr std::size_t mostSharpened = 5;  // places, while the tool is lost
 constexpr double mixOverlap = 0.7;
 constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
 
+// The colours: asked so often while all is sure, believed where they are so far ahead of the box.
+constexpr int coloursEvery = 5;      // images
+constexpr double otherPlace = 0.25;  // overlap
+constexpr double farAhead = 0.15, justAhead = 0.05;
+
 double shareInside(const cv::Rect2d& box, cv::Size image) {
   return (box & cv::Rect2d(cv::Point2d(), cv::Size2d(image))).area() / box.area();
 }
@@ -91,6 +96,8 @@ void TldTracker::begin(ToolClassifier tool) {
   m_cells = FlowCells();
   m_keypoints = CmtTracker(KeypointReach::DensePart);
   m_trusted = false;
+  m_colours = ColourLayout();
+  m_images = 0;
   m_scale = 1.0;
   m_imagesLost = std::numeric_limits<int>::max() / 2;
   m_imagesDoubted = 0;
@@ -108,6 +115,7 @@ void TldTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   } catch (const Error&) {
     // There are too few: it is followed without them.
   }
+  m_colours.begin(image, box);
   m_before = grey.clone();
   m_found = Detection{box, {1.0F, 1.0F}};
   m_trusted = true;
@@ -175,7 +183,7 @@ std::vector<Candidate> TldTracker::sharpened(const cv::Mat& grey,
   return candidates;
 }
 
-std::vector<Detection> TldTracker::detect(const cv::Mat& grey,
+std::vector<Detection> TldTracker::detect(const cv::Mat& image, const cv::Mat& grey,
                                           const std::vector<Candidate>& candidates) const {
   std::vector<Detection> detections =
       clusterDetections(m_found ? candidates : sharpened(grey, candidates));
@@ -184,9 +192,41 @@ std::vector<Detection> TldTracker::detect(const cv::Mat& grey,
     const PatchCutter cutter(grey, detection.box, m_tool->patchSize());
     detection.likeness = m_tool->likeness(cutter.cut());
   }
+  std::erase_if(detections, [&](const Detection& one) { return m_colours.denies(image, one.box); });
   std::ranges::stable_sort(detections, std::greater(),
                            [](const Detection& detection) { return detection.likeness.relative; });
   return detections;
+}
+
+/// Where patches and flow are not sure, the colours say whether the box is on the tool, and where
+/// the tool is if it is not there. Where they are, the colours learn how far they can be believed.
+void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey) {
+  ++m_images;
+  const bool isSure = m_trusted && m_found->likeness.conservative > doubtedLikeness;
+  if (isSure && m_images % coloursEvery != 0) return;
+  const std::vector<ColourLayout::Place> places = m_colours.places(image);
+  const auto tool = m_colours.toolIn(image, places);
+  const double here = m_found ? m_colours.scoreOf(image, m_found->box) : -1.0;
+  const double ahead = isSure ? farAhead : justAhead;
+  if (m_found && tool && overlap(tool->box, m_found->box) < otherPlace &&
+      here < tool->score - ahead) {
+    lose();
+  }
+  if (m_found && isSure) {
+    m_colours.observe(image, places, m_found->box);
+  } else if (m_found) {
+    doubtByColour(here);
+  } else if (tool) {
+    const cv::Mat patch = PatchCutter(grey, tool->box, m_tool->patchSize()).cut();
+    m_found = Detection{tool->box, m_tool->likeness(patch)};
+  }
+}
+
+void TldTracker::doubtByColour(double score) {
+  const std::optional<double> least = m_colours.threshold();
+  if (!least) return;
+  m_imagesDoubted = score < *least ? m_imagesDoubted + 1 : 0;
+  if (m_imagesDoubted > longestDoubt) lose();
 }
 
 void TldTracker::lose() {
@@ -260,9 +300,10 @@ Track TldTracker::track(const cv::Mat& image) {
         std::async(std::launch::async, [&] { return std::pair(flow(grey), consensus(grey)); });
     const ScanLevels levels = levelsOf(grey);
     const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
-    const std::vector<Detection> detections = detect(grey, candidates);
+    const std::vector<Detection> detections = detect(image, grey, candidates);
     const auto [flowed, agreed] = following.get();
     integrate(followedOf(flowed, agreed), detections);
+    askColours(image, grey);
     // What the keypoints carry on must be the tool's.
     if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
       m_keypoints.lookAt(m_found->box);

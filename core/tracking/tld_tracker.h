@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracking/cmt_tracker.h"
+#include "tracking/colour_layout.h"
 #include "tracking/median_flow.h"
 #include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
@@ -17,7 +18,8 @@ namespace boomwatch {
 /// from image to image, a detector looks for it in the whole of each image, and what both agree on
 /// teaches the detector. Beside the flow, and against its drift, the keypoints of the first box are
 /// looked for around the tool (CmtTracker); that box is taken which looks more like the older half
-/// of the model. A tracker that began with a saved model has no such keypoints.
+/// of the model. Where neither is sure, as when the tool has turned, its colours decide
+/// (ColourLayout). A tracker that began with a saved model has neither keypoints nor colours.
 ///
 /// The guard against "explosion", a model that fills with what is not the tool: an image teaches
 /// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
@@ -38,13 +40,15 @@ class TldTracker : public Tracker {
   std::optional<Detection> consensus(const cv::Mat& grey);  // by keypoints
   ScanLevels levelsOf(const cv::Mat& grey) const;
   std::vector<Candidate> sharpened(const cv::Mat& grey, std::vector<Candidate> candidates) const;
-  std::vector<Detection> detect(const cv::Mat& grey,
+  std::vector<Detection> detect(const cv::Mat& image, const cv::Mat& grey,
                                 const std::vector<Candidate>& candidates) const;
   void integrate(const std::optional<Detection>& followed,
                  const std::vector<Detection>& detections);
   bool isDisputed(const std::vector<Detection>& detections) const;
   bool learn(const cv::Mat& grey, const ScanLevels& levels,
              const std::vector<Candidate>& candidates);
+  void askColours(const cv::Mat& image, const cv::Mat& grey);
+  void doubtByColour(double score);
   void lose();
 
   std::optional<ToolClassifier> m_tool;
@@ -55,6 +59,8 @@ class TldTracker : public Tracker {
   FlowCells m_cells;                 ///< of the tool's box
   CmtTracker m_keypoints{KeypointReach::DensePart};  ///< idle where there were too few
   bool m_trusted = false;                            ///< see the class
+  ColourLayout m_colours;
+  int m_images = 0;         ///< since it began
   double m_scale = 1.0;     ///< of the tool when it was last seen, against the model's
   int m_imagesLost = 0;     ///< since it was last seen
   int m_imagesDoubted = 0;  ///< since the followed box last looked like the tool
