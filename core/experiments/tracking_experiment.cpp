@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "evaluation/absences.h"
 #include "evaluation/evaluation_table.h"
 #include "evaluation/tracking_evaluation.h"
 #include "experiments/yard_stream.h"
@@ -11,6 +12,7 @@ namespace boomwatch {
 namespace {
 
 constexpr std::size_t mostYards = 3;
+constexpr std::size_t absences = 4;  // of the tool, in each yard
 const std::vector<std::string> ours{"tld", "cmt", "klt", "csrt"};
 
 /// Table 5 as it is printed, in the columns of our own.
@@ -65,10 +67,10 @@ std::optional<Chapter> runTrackingExperiment(const ExperimentSetup& setup,
                                              const ExperimentProgress& progress) {
   const std::vector<Contestant> trackers = contestantsNamed(ours);
   const std::size_t yards = std::min(setup.sequences, mostYards);
-  const auto parts = static_cast<double>(setup.recordings.size() + 2 * yards);
+  const auto parts = static_cast<double>(setup.recordings.size() + 3 * yards);
   double done = 0.0;
   const ExperimentProgress part = [&](double share) { return progress((done + share) / parts); };
-  std::vector<TrackerRun> recorded, simulated;
+  std::vector<TrackerRun> recorded, simulated, away;
   for (const auto& folder : setup.recordings) {
     try {
       TrackingSequence sequence = openTrackingSequence(folder);
@@ -82,6 +84,9 @@ std::optional<Chapter> runTrackingExperiment(const ExperimentSetup& setup,
     auto sequence = yardSequence(setup.firstSeed + k, setup.framesOfAYard(), part);
     if (!progress(++done / parts)) return std::nullopt;
     if (sequence && !evaluate(*sequence, {}, trackers, part, simulated)) return std::nullopt;
+    ++done;
+    if (sequence) addAbsences(*sequence, absences);
+    if (sequence && !evaluate(*sequence, {}, trackers, part, away)) return std::nullopt;
     ++done;
   }
   Chapter chapter{"Table 5: tracking the tool", {}};
@@ -98,6 +103,11 @@ std::optional<Chapter> runTrackingExperiment(const ExperimentSetup& setup,
   chapter.items.emplace_back(tableOf("tracking_yard",
                                      "The tool of the simulated yard, followed from its true box.",
                                      simulated, false));
+  chapter.items.emplace_back(tableOf(
+      "tracking_absences",
+      "The same yards; the tool is taken out of the pictures for two seconds, again and again, and "
+      "comes back elsewhere and turned.",
+      away, false));
   return chapter;
 }
 

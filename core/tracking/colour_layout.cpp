@@ -22,7 +22,7 @@ constexpr double elsewhere = 0.25, onTool = 0.4;  // overlap
 // A view less alike than this is another side of the tool; one still less may be something else.
 constexpr double newView = 0.8, sureView = 0.5;
 constexpr std::size_t mostViews = 8;
-constexpr std::size_t fewestObserved = 8, mostObserved = 50;
+constexpr std::size_t fewestObserved = 8, mostObserved = 80;
 constexpr double rightShare = 0.9;
 // How far above the best of the others, towards the tool's own median. Measured on eight yards in
 // which the tool goes away and comes back turned: at 0.33 it is found in 22 of 28 cases, at 0.15

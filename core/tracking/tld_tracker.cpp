@@ -39,8 +39,8 @@ constexpr double mixOverlap = 0.7;
 constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
 
 // The colours: asked so often while all is sure, believed where they are so far ahead of the box.
-constexpr int coloursEvery = 5;      // images
-constexpr double otherPlace = 0.25;  // overlap
+constexpr int coloursEvery = 3;     // images
+constexpr double otherPlace = 0.5;  // overlap
 constexpr double farAhead = 0.15, justAhead = 0.05;
 
 double shareInside(const cv::Rect2d& box, cv::Size image) {
