@@ -18,7 +18,8 @@ constexpr double step = 1.2;  // between two sizes
 constexpr int steps = 4;      // to either side
 constexpr int placesOfALevel = 3;
 constexpr std::size_t mostPlaces = 8;
-constexpr double elsewhere = 0.25, onTool = 0.4;  // overlap
+constexpr double onTool = 0.4;     // overlap
+constexpr double samePlace = 0.5;  // of the smaller of two boxes
 // A view less alike than this is another side of the tool; one still less may be something else.
 constexpr double newView = 0.8, sureView = 0.5;
 constexpr std::size_t mostViews = 8;
@@ -84,6 +85,11 @@ cv::Rect2d moved(const cv::Rect2d& box, cv::Point2d shift, double scale) {
           box.y + shift.y * box.height + (box.height - size.height) / 2.0, size.width, size.height};
 }
 
+/// Also a part of the tool looks a little like it, and is no other place.
+bool isSamePlace(const cv::Rect2d& one, const cv::Rect2d& other) {
+  return (one & other).area() > samePlace * std::min(one.area(), other.area());
+}
+
 }  // namespace
 
 void ColourLayout::begin(const cv::Mat& image, const cv::Rect2d& box) {
@@ -120,7 +126,7 @@ std::vector<Place> ColourLayout::places(const cv::Mat& image) const {
   for (const Place& place : found) {
     if (apart.size() == mostPlaces) break;
     const bool isNew = std::ranges::none_of(
-        apart, [&](const Place& other) { return overlap(place.box, other.box) > elsewhere; });
+        apart, [&](const Place& other) { return isSamePlace(place.box, other.box); });
     if (isNew) apart.push_back(place);
   }
   return apart;
@@ -156,8 +162,8 @@ void ColourLayout::observe(const cv::Mat& image, const std::vector<Place>& place
   if (places.empty()) return;
   Observation seen;
   for (const Place& place : places) {
-    double& score = overlap(place.box, box) < onTool ? seen.other : seen.own;
-    score = std::max(score, place.score);
+    if (overlap(place.box, box) >= onTool) seen.own = std::max(seen.own, place.score);
+    if (!isSamePlace(place.box, box)) seen.other = std::max(seen.other, place.score);
   }
   m_size = box.size();
   m_observed.push_back(seen);

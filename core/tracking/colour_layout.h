@@ -26,8 +26,9 @@ class ColourLayout {
 
   /// Begins anew with what is in `box`.
   void begin(const cv::Mat& image, const cv::Rect2d& box);
+  bool isKnown() const { return !m_views.empty(); }
 
-  /// The places most alike, best first, at most eight, each at most a quarter on another. Sizes
+  /// The places most alike, best first, at most eight, none of them half on another. Sizes
   /// from half to twice that at which the tool was last observed are looked at. Empty before it
   /// began, and where the image is too small.
   std::vector<Place> places(const cv::Mat& image) const;

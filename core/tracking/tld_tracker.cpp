@@ -203,6 +203,7 @@ std::vector<Detection> TldTracker::detect(const cv::Mat& image, const cv::Mat& g
 void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey) {
   ++m_images;
   const bool isSure = m_trusted && m_found->likeness.conservative > doubtedLikeness;
+  if (isSure && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
   if (isSure && m_images % coloursEvery != 0) return;
   const std::vector<ColourLayout::Place> places = m_colours.places(image);
   const auto tool = m_colours.toolIn(image, places);

@@ -19,7 +19,8 @@ namespace boomwatch {
 /// teaches the detector. Beside the flow, and against its drift, the keypoints of the first box are
 /// looked for around the tool (CmtTracker); that box is taken which looks more like the older half
 /// of the model. Where neither is sure, as when the tool has turned, its colours decide
-/// (ColourLayout). A tracker that began with a saved model has neither keypoints nor colours.
+/// (ColourLayout). A tracker that began with a saved model has no keypoints, and learns the colours
+/// when it is first sure of the tool.
 ///
 /// The guard against "explosion", a model that fills with what is not the tool: an image teaches
 /// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
