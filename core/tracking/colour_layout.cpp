@@ -25,7 +25,7 @@ constexpr double newView = 0.8, sureView = 0.5;
 constexpr std::size_t mostViews = 8;
 constexpr std::size_t fewestObserved = 8, mostObserved = 80;
 constexpr double rightShare = 0.9;
-// How far above the best of the others, towards the tool's own median. Measured on eight yards in
+// How far above the best of the others, towards the tool's own median. Measured on seven yards in
 // which the tool goes away and comes back turned: at 0.33 it is found in 22 of 28 cases, at 0.15
 // in nearly all, with no more boxes while it is away.
 constexpr double ownShare = 0.15;
