@@ -1250,8 +1250,8 @@
         <translation>Werkzeug gesehen, aber seit %1 dort, wo es nicht sein kann</translation>
     </message>
     <message>
-        <source> It is not looked for any more: begin again, or draw a new box.</source>
-        <translation> Es wird nicht mehr gesucht: Beginnen Sie neu, oder zeichnen Sie einen neuen Rahmen.</translation>
+        <source>Tool lost and no longer looked for: begin again, or draw a new box. Until then there is no distance.</source>
+        <translation>Werkzeug verloren und nicht mehr gesucht: Beginnen Sie neu, oder zeichnen Sie einen neuen Rahmen. Bis dahin gibt es keinen Abstand.</translation>
     </message>
     <message>
         <source>, cannot be there</source>

@@ -29,6 +29,11 @@ QString unlocatedText(const ToolTrack& tool) {
 
 /// While a tracker runs that does not know where the tool is.
 QString lostSentence(const ToolTrack& tool) {
+  if (tool.hasGivenUp) {
+    return ToolTexts::tr(
+        "Tool lost and no longer looked for: begin again, or draw a new box. Until then there is "
+        "no distance.");
+  }
   if (!tool.age && !tool.box) {
     return ToolTexts::tr(
         "Tool not found yet: boom and load are not taken out of the cloud, so there is no "
@@ -91,9 +96,7 @@ QString toolSentence(const ToolTrack& tool, const TrackingParameters& parameters
     return tool.pixel ? ToolTexts::tr("The tool is where it was clicked; nothing follows it.")
                       : ToolTexts::tr("No tool: draw a box around it in the camera picture.");
   }
-  const QString text = tool.lost() ? lostSentence(tool) : knownSentence(tool, parameters);
-  if (!tool.hasGivenUp) return text;
-  return text + ToolTexts::tr(" It is not looked for any more: begin again, or draw a new box.");
+  return tool.lost() ? lostSentence(tool) : knownSentence(tool, parameters);
 }
 
 QString learningSentence(LearningState state) {
