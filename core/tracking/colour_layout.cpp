@@ -29,6 +29,8 @@ constexpr double rightShare = 0.9;
 // which the tool goes away and comes back turned: at 0.33 it is found in 22 of 28 cases, at 0.15
 // in nearly all, with no more boxes while it is away.
 constexpr double ownShare = 0.15;
+// Explains less than a quarter of what is seen: nothing is that, however unlike all else was.
+constexpr double leastScore = 0.5;
 constexpr double deniedShare = 0.5;           // of the threshold
 constexpr double margin = 0.02, lead = 0.05;  // of scores
 
@@ -184,7 +186,7 @@ std::optional<double> ColourLayout::threshold() const {
   if (own.size() < rightShare * static_cast<double>(m_observed.size())) return std::nullopt;
   const auto median = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
   std::ranges::nth_element(own, median);
-  return other + std::max(margin, ownShare * (*median - other));
+  return std::max(leastScore, other + std::max(margin, ownShare * (*median - other)));
 }
 
 bool ColourLayout::denies(const cv::Mat& image, const cv::Rect2d& box) const {

@@ -38,8 +38,9 @@ class ColourLayout {
   /// Learns from what places() says of an image in which the tool surely is in `box`: how far that
   /// can be believed, and what the tool looks like from another side.
   void observe(const cv::Mat& image, const std::vector<Place>& places, const cv::Rect2d& box);
-  /// Score from which a place is the tool: more than anything else had of late. Absent where the
-  /// tool was not the place most alike, or too few images were observed.
+  /// Score from which a place is the tool: more than anything else had of late, and half of the
+  /// best there can be. Absent where the tool was not the place most alike, or too few images were
+  /// observed.
   std::optional<double> threshold() const;
   /// Whether what is in `box` is not even half as much like the tool as it would have to be.
   bool denies(const cv::Mat& image, const cv::Rect2d& box) const;
