@@ -57,9 +57,8 @@ class ColourLayout {
   };
 
   cv::Size m_cells;
-  std::vector<cv::Mat>
-      m_views;        ///< CV_32FC3, Lab, m_cells each; the first is the one it began with
-  cv::Size2d m_size;  ///< of the tool when it was last observed
+  std::vector<cv::Mat> m_views;  ///< CV_32FC3, Lab, m_cells each, mean 0 and length 1
+  cv::Size2d m_size;             ///< of the tool when it was last observed
   std::deque<Observation> m_observed;
 };
 

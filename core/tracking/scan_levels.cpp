@@ -3,29 +3,18 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tracking/picture_halves.h"
+
 namespace boomwatch {
 namespace {
 
 constexpr double shortestSide = 8.0;  // of a window, pixels of the picture
 
-/// The picture, halved as often as leaves it larger than `size`: from there, linear interpolation
-/// to `size` passes no pixel over. `halves` grows as needed.
-const cv::Mat& sourceFor(cv::Size size, std::vector<cv::Mat>& halves) {
-  std::size_t i = 0;
-  while (size.width * 2 <= halves[i].cols && size.height * 2 <= halves[i].rows) {
-    if (++i < halves.size()) continue;
-    cv::Mat half;
-    cv::resize(halves.back(), half, halves.back().size() / 2, 0.0, 0.0, cv::INTER_AREA);
-    halves.push_back(half);
-  }
-  return halves[i];
-}
-
 }  // namespace
 
 ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int first, int last)
     : m_patch(patch) {
-  std::vector<cv::Mat> halves = {grey};
+  PictureHalves halves(grey);
   for (int exponent = first; exponent <= last; ++exponent) {
     const cv::Size2d window = tool * std::pow(step, exponent);
     if (std::min(window.width, window.height) < shortestSide) continue;
@@ -33,7 +22,7 @@ ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int
     Level level;
     const cv::Size size(std::max(patch.width, cvRound(grey.cols * patch.width / window.width)),
                         std::max(patch.height, cvRound(grey.rows * patch.height / window.height)));
-    cv::resize(sourceFor(size, halves), level.image, size, 0.0, 0.0, cv::INTER_LINEAR);
+    level.image = halves.resized(size);
     cv::GaussianBlur(level.image, level.image, cv::Size(3, 3), 0.0);
     level.pixel = {static_cast<double>(grey.cols) / size.width,
                    static_cast<double>(grey.rows) / size.height};

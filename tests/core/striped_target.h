@@ -1,13 +1,13 @@
 #pragma once
 
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 #include "tracked_target.h"
 
 namespace boomwatch::test {
 
-/// A target in two colours, one above the other, with dark stripes that run one way or the other:
-/// as a grapple that turns.
+/// A target as a grapple that turns: a narrow part in one colour, with a white ring, above a wide
+/// one in another, all with dark stripes that run one way or the other.
 struct StripedTarget {
   static constexpr int side = 64;  // pixels
   cv::Scalar above{40, 50, 200};   // BGR; both are equally bright: in grey only the stripes show
@@ -16,14 +16,15 @@ struct StripedTarget {
 
   cv::Mat image(cv::Point corner) const {
     cv::Mat picture = texture({480, 360}, 3.0, 1);
-    if (picture.channels() == 1) cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
     drawInto(picture, corner);
     return picture;
   }
   void drawInto(cv::Mat& picture, cv::Point corner) const {
     cv::Mat target = picture(cv::Rect(corner, cv::Size(side, side)));
-    target.rowRange(0, side / 2).setTo(above);
-    target.rowRange(side / 2, side).setTo(below);
+    target.setTo(below);
+    target.rowRange(0, side / 2).setTo(cv::Scalar::all(20));
+    target(cv::Rect(side / 4, 0, side / 2, side / 2)).setTo(above);
+    target(cv::Rect(side / 4, side / 4, side / 2, side / 8)).setTo(cv::Scalar::all(240));
     for (int row = 0; row < side; ++row) {
       for (int column = 0; column < side; ++column) {
         const int along = turned ? 2 * column - row + side : 2 * row + column;
