@@ -216,18 +216,15 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey) {
   if (m_found && isSure) {
     m_colours.observe(image, places, m_found->box);
   } else if (m_found) {
-    doubtByColour(here);
+    if (m_colours.denies(image, m_found->box)) {
+      lose();
+    } else if (here >= m_colours.threshold().value_or(2.0)) {
+      m_imagesDoubted = 0;
+    }
   } else if (tool) {
     const cv::Mat patch = PatchCutter(grey, tool->box, m_tool->patchSize()).cut();
     m_found = Detection{tool->box, m_tool->likeness(patch)};
   }
-}
-
-void TldTracker::doubtByColour(double score) {
-  const std::optional<double> least = m_colours.threshold();
-  if (!least) return;
-  m_imagesDoubted = score < *least ? m_imagesDoubted + 1 : 0;
-  if (m_imagesDoubted > longestDoubt) lose();
 }
 
 void TldTracker::lose() {

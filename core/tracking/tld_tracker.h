@@ -49,7 +49,6 @@ class TldTracker : public Tracker {
   bool learn(const cv::Mat& grey, const ScanLevels& levels,
              const std::vector<Candidate>& candidates);
   void askColours(const cv::Mat& image, const cv::Mat& grey);
-  void doubtByColour(double score);
   void lose();
 
   std::optional<ToolClassifier> m_tool;

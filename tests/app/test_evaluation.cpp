@@ -16,6 +16,7 @@ class TestEvaluation : public QObject {
   void init();
   void tablesOfAFolderOfSequences();
   void framesAreLimited();
+  void theTargetGoesAndComesBackWhereAskedFor();
   void oneBadSequenceAmongSeveral();
   void badArgumentsExitWithTwo_data();
   void badArgumentsExitWithTwo();
@@ -100,6 +101,17 @@ void TestEvaluation::framesAreLimited() {
   QVERIFY(result.output.contains(QRegularExpression("one +klt +complete +3 ")));
 }
 
+void TestEvaluation::theTargetGoesAndComesBackWhereAskedFor() {
+  writeSequence("one", 110);
+  const Run result = run(
+      {"tracking", path("one"), "--tracker", "klt", "--absences", "1", "--output", path("out")});
+  QCOMPARE(result.exitCode, 0);
+  const QStringList lines = linesOf(path("out/tracking.csv"));
+  QVERIFY2(lines.value(0).endsWith("returns,found_again"), qPrintable(lines.value(0)));
+  QVERIFY2(lines.value(1).startsWith("one+absences,klt,complete,109,"), qPrintable(lines.value(1)));
+  QVERIFY2(lines.value(1).endsWith(",1,0"), qPrintable(lines.value(1)));
+}
+
 void TestEvaluation::oneBadSequenceAmongSeveral() {
   writeSequence("all/a", 5);
   writeSequence("all/b", 5);
@@ -126,6 +138,7 @@ void TestEvaluation::badArgumentsExitWithTwo_data() {
   row("absent folder", {"tracking", "absent/folder"}, "absent/folder");
   row("no sequence in it", {"tracking", "EMPTY"}, "no sequence");
   row("unknown tracker", {"tracking", "EMPTY", "--tracker", "goturn"}, "opencv_medianflow");
+  row("no absences", {"tracking", "EMPTY", "--absences", "0"}, "--absences");
   row("no frames", {"tracking", "EMPTY", "--frames", "0"}, "--frames");
 }
 

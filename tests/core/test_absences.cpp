@@ -52,6 +52,7 @@ class TestAbsences : public QObject {
   void theTargetIsGoneFromPictureAndTruth();
   void whereTheRecordingHidesItselfNothingIsAdded();
   void noAbsenceWithoutRoomForTheReturn();
+  void moreThanThereIsRoomForAreAsManyAsThereIs();
   void aTargetThatFillsThePictureGoesToo();
   void whoFindsItAgainIsCounted();
 };
@@ -90,6 +91,18 @@ void TestAbsences::noAbsenceWithoutRoomForTheReturn() {
   TrackingSequence tooShort = sequence();
   addAbsences(tooShort, 1, 2 * (absenceLength + refoundWithin) - 2);
   QCOMPARE(hiddenIn(tooShort), std::size_t{0});
+}
+
+void TestAbsences::moreThanThereIsRoomForAreAsManyAsThereIs() {
+  const TrackingSequence before = sequence();
+  TrackingSequence after = sequence();
+  addAbsences(after, std::numeric_limits<std::size_t>::max());
+  QCOMPARE(hiddenIn(after) % absenceLength, std::size_t{0});
+  QVERIFY(hiddenIn(after) > 0);
+  for (std::size_t k = 0; k < length; ++k) {
+    const double change = cv::norm(before.images->read(k).image, after.images->read(k).image);
+    QCOMPARE(change > 0.0, !after.truth[k]);
+  }
 }
 
 void TestAbsences::aTargetThatFillsThePictureGoesToo() {
