@@ -49,7 +49,7 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   requireStart(image, box);
   const cv::Mat grey = greyOf(image);
   const KeypointFeatures seen =
-      m_extractor.extract(grey, m_reach == KeypointReach::DensePart ? grown(box) : box, m_reach);
+      keypointsOf(grey, m_reach == KeypointReach::DensePart ? grown(box) : box, m_reach);
   std::vector<int> order(seen.positions.size());
   std::iota(order.begin(), order.end(), 0);
   // The target's points first.
@@ -203,9 +203,9 @@ Track CmtTracker::track(const cv::Mat& image) {
   if (isTrackable(image)) {
     grey = greyOf(image);
     auto following = std::async(std::launch::async, [&] { return followed(grey); });
-    const KeypointFeatures seen =
-        isNear ? m_extractor.extract(grey, grown(m_box), KeypointReach::DensePart)
-               : m_extractor.extract(grey, cv::Rect2d(), KeypointReach::Everywhere);
+    const KeypointFeatures seen = isNear
+                                      ? keypointsOf(grey, grown(m_box), KeypointReach::DensePart)
+                                      : keypointsOf(grey, cv::Rect2d(), KeypointReach::Everywhere);
     std::vector<KeypointPair> points = matched(seen);
     for (const KeypointPair& point : following.get()) {
       if (std::ranges::find(points, point.id, &KeypointPair::id) == points.end()) {

@@ -43,7 +43,6 @@ class CmtTracker : public Tracker {
   bool isCredible(const KeypointConsensus& consensus, cv::Size image) const;
 
   KeypointReach m_reach;
-  KeypointExtractor m_extractor;
   cv::Size2d m_size;                   ///< of the box it began with
   std::vector<cv::Point2d> m_model;    ///< the target's points, from its centre
   std::vector<cv::Point2d> m_known;    ///< places of m_descriptors in the first image

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace boomwatch {
@@ -52,12 +53,15 @@ cv::Rect around(const cv::Rect2d& part, cv::Size image) {
           cv::Point(cvFloor(seen.br().x), cvFloor(seen.br().y))};
 }
 
+/// Its tables take 50 MB, and as long to make as several images. Nothing changes them afterwards.
+cv::BRISK& descriptor() {
+  static const cv::Ptr<cv::BRISK> instance = cv::BRISK::create();
+  return *instance;
+}
+
 }  // namespace
 
-KeypointExtractor::KeypointExtractor() : m_descriptor(cv::BRISK::create()) {}
-
-KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2d& dense,
-                                            KeypointReach reach) const {
+KeypointFeatures keypointsOf(const cv::Mat& grey, const cv::Rect2d& dense, KeypointReach reach) {
   const bool everywhere = reach == KeypointReach::Everywhere;
   cv::Mat image;
   cv::equalizeHist(grey, image);
@@ -81,7 +85,7 @@ KeypointFeatures KeypointExtractor::extract(const cv::Mat& grey, const cv::Rect2
   const cv::Point2f offset(border, border);
   for (cv::KeyPoint& point : points) point.pt += offset;
   KeypointFeatures features;
-  m_descriptor->compute(padded, points, features.descriptors);
+  descriptor().compute(padded, points, features.descriptors);
   const cv::Point2f origin(area.tl());
   for (const cv::KeyPoint& point : points) {
     features.positions.emplace_back(point.pt - offset + origin);

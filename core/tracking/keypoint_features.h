@@ -1,7 +1,6 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <opencv2/features2d.hpp>
 #include <vector>
 
 namespace boomwatch {
@@ -16,18 +15,8 @@ struct KeypointFeatures {
 /// alone, which takes less time.
 enum class KeypointReach { Everywhere, DensePart };
 
-/// Finds FAST corners in three sizes, spread over the image, and describes them by BRISK, which
-/// turns with the corner. Keeps memory of nothing; used by one thread.
-class KeypointExtractor {
- public:
-  KeypointExtractor();
-
-  /// The number of corners in `image` (CV_8UC1) is bounded.
-  KeypointFeatures extract(const cv::Mat& image, const cv::Rect2d& dense,
-                           KeypointReach reach) const;
-
- private:
-  cv::Ptr<cv::Feature2D> m_descriptor;
-};
+/// FAST corners of `image` (CV_8UC1) in three sizes, spread over it, described by BRISK, which
+/// turns with the corner. Their number is bounded. Of any thread.
+KeypointFeatures keypointsOf(const cv::Mat& image, const cv::Rect2d& dense, KeypointReach reach);
 
 }  // namespace boomwatch

@@ -198,32 +198,30 @@ std::vector<Detection> TldTracker::detect(const cv::Mat& image, const cv::Mat& g
   return detections;
 }
 
+bool TldTracker::isSure() const {
+  return m_trusted && m_found && m_found->likeness.conservative > doubtedLikeness;
+}
+
 /// Where patches and flow are not sure, the colours say whether the box is on the tool, and where
 /// the tool is if it is not there. Where they are, the colours learn how far they can be believed.
-void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey) {
-  ++m_images;
-  const bool isSure = m_trusted && m_found->likeness.conservative > doubtedLikeness;
-  if (isSure && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
-  if (isSure && m_images % coloursEvery != 0) return;
-  const std::vector<ColourLayout::Place> places = m_colours.places(image);
-  const auto tool = m_colours.toolIn(image, places);
-  const double here = m_found ? m_colours.scoreOf(image, m_found->box) : -1.0;
-  const double ahead = isSure ? farAhead : justAhead;
-  if (m_found && tool && overlap(tool->box, m_found->box) < otherPlace &&
-      here < tool->score - ahead) {
-    lose();
-  }
-  if (m_found && isSure) {
-    m_colours.observe(image, places, m_found->box);
-  } else if (m_found) {
-    if (m_colours.denies(image, m_found->box)) {
-      lose();
-    } else if (here >= m_colours.threshold().value_or(2.0)) {
-      m_imagesDoubted = 0;
-    }
-  } else if (tool) {
+void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
+                            const std::vector<ColourLayout::Place>& places) {
+  const bool sure = isSure();
+  const bool here =
+      m_found && !places.empty() && overlap(places.front().box, m_found->box) >= otherPlace;
+  const auto tool = here ? std::nullopt : m_colours.toolIn(image, places);
+  const double ahead = sure ? farAhead : justAhead;
+  if (m_found && tool && m_colours.scoreOf(image, m_found->box) < tool->score - ahead) lose();
+  if (!m_found) {
+    if (!tool) return;
     const cv::Mat patch = PatchCutter(grey, tool->box, m_tool->patchSize()).cut();
     m_found = Detection{tool->box, m_tool->likeness(patch)};
+  } else if (sure) {
+    m_colours.observe(image, places, m_found->box);
+  } else if (m_colours.denies(image, m_found->box)) {
+    lose();
+  } else if (m_colours.scoreOf(image, m_found->box) >= m_colours.threshold().value_or(2.0)) {
+    m_imagesDoubted = 0;
   }
 }
 
@@ -299,9 +297,14 @@ Track TldTracker::track(const cv::Mat& image) {
     const ScanLevels levels = levelsOf(grey);
     const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
     const std::vector<Detection> detections = detect(image, grey, candidates);
+    const bool coloursDue = !m_trusted || ++m_images % coloursEvery == 0;
+    std::vector<ColourLayout::Place> places;
+    if (coloursDue) places = m_colours.places(image);
     const auto [flowed, agreed] = following.get();
     integrate(followedOf(flowed, agreed), detections);
-    askColours(image, grey);
+    if (isSure() && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
+    if (!isSure() && !coloursDue) places = m_colours.places(image);
+    if (!isSure() || coloursDue) askColours(image, grey, places);
     // What the keypoints carry on must be the tool's.
     if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
       m_keypoints.lookAt(m_found->box);

@@ -48,7 +48,9 @@ class TldTracker : public Tracker {
   bool isDisputed(const std::vector<Detection>& detections) const;
   bool learn(const cv::Mat& grey, const ScanLevels& levels,
              const std::vector<Candidate>& candidates);
-  void askColours(const cv::Mat& image, const cv::Mat& grey);
+  bool isSure() const;
+  void askColours(const cv::Mat& image, const cv::Mat& grey,
+                  const std::vector<ColourLayout::Place>& places);
   void lose();
 
   std::optional<ToolClassifier> m_tool;
