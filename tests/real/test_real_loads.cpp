@@ -1,5 +1,6 @@
 #include <QDirIterator>
 #include <QtTest>
+#include <functional>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
@@ -62,7 +63,7 @@ QString pclExample(const QString& name) {
   return files.hasNext() ? files.next() : QString();
 }
 
-/// Debian's copy has y up and z backwards.
+/// Some clouds have y up and z backwards.
 Cloud turned(const Cloud& cloud) {
   Cloud result = cloud;
   for (Vector3f& p : result.points) p = {p.x(), -p.y(), -p.z()};
@@ -77,6 +78,26 @@ Points labelled(const CloudFile& file, unsigned first, unsigned last) {
     if (file.labels[k] >= first && file.labels[k] <= last && isMeasured(p)) points.push_back(p);
   }
   return points;
+}
+
+/// Height above the plane that fits `floor` best; what lies far off that is left out.
+std::function<double(const Vector3f&)> heightAbove(const Points& floor) {
+  constexpr float off = 0.03F;
+  Vector3f plane = Vector3f::Zero();  // z = plane . (x, y, 1)
+  for (int round = 0; round < 3; ++round) {
+    Eigen::Matrix3f left = Eigen::Matrix3f::Zero();
+    Vector3f right = Vector3f::Zero();
+    for (const Vector3f& p : floor) {
+      const Vector3f row(p.x(), p.y(), 1.0F);
+      if (!isMeasured(p) || (round > 0 && std::abs(p.z() - plane.dot(row)) > off)) continue;
+      left += row * row.transpose();
+      right += row * p.z();
+    }
+    plane = left.ldlt().solve(right);
+  }
+  const float length = std::hypot(plane.x(), plane.y(), 1.0F);
+  return
+      [=](const Vector3f& p) { return (plane.dot(Vector3f(p.x(), p.y(), 1.0F)) - p.z()) / length; };
 }
 
 void report(const OrientedBox& box, double enclosed) {
@@ -119,6 +140,35 @@ class TestRealLoads : public QObject {
     const Points table = labelled(file, 1, 9);
     QVERIFY(table.size() > 1000);
     QVERIFY(enclosedShare(*found.box, table) < 0.005);
+  }
+
+  /// By a stereo camera whose floor was recorded without the box as well. The floor by itself is no
+  /// load.
+  void aBoxOnAFloorIsEnclosedAndNoMore() {
+    const QString path = sharedData(QStringLiteral("pcd_boxes_oakd/calibration/%1.ply"));
+    REQUIRE_DATA(path.arg(QStringLiteral("box")));
+    const auto read = [&](const char* name) {
+      return turned(*readCloudFile(path.arg(QLatin1String(name)).toStdString()).cloud);
+    };
+    const Cloud floor = read("calibration"), cloud = read("box");
+    const auto height = heightAbove(floor.points);
+    Points points;
+    for (const Vector3f& p : cloud.points) {
+      if (isMeasured(p) && height(p) > 0.04 && p.x() < 0.5F) points.push_back(p);
+    }
+    QVERIFY(points.size() > 3000);
+    const Vector3f tool = middleOf(points);
+    const LoadDetection found = boxAt(cloud, tool, 1.2);
+    QVERIFY(found.box);
+    report(*found.box, enclosedShare(*found.box, points));
+    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
+    std::vector<double> heights;
+    for (const Vector3f& p : points) heights.push_back(height(p));
+    std::ranges::nth_element(heights, heights.begin() + std::ssize(heights) / 2);
+    const double high = heights[heights.size() / 2];
+    qInfo("its top is %.3f m above the floor", high);
+    QVERIFY(found.box->size.minCoeff() < 1.3 * high);
+    QVERIFY(!boxAt(floor, middleOf(floor.points), 1.2).box);
   }
 
   /// By a stereo camera, on a table. Its volume is not known, but no mug is larger than this with
