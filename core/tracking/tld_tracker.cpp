@@ -297,14 +297,14 @@ Track TldTracker::track(const cv::Mat& image) {
     const ScanLevels levels = levelsOf(grey);
     const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
     const std::vector<Detection> detections = detect(image, grey, candidates);
-    const bool coloursDue = !m_trusted || ++m_images % coloursEvery == 0;
-    std::vector<ColourLayout::Place> places;
-    if (coloursDue) places = m_colours.places(image);
+    // Looked for here already where they will be needed: the keypoints take longer.
+    std::optional<std::vector<ColourLayout::Place>> places;
+    if (++m_images % coloursEvery == 0 || !m_trusted) places = m_colours.places(image);
     const auto [flowed, agreed] = following.get();
     integrate(followedOf(flowed, agreed), detections);
     if (isSure() && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
-    if (!isSure() && !coloursDue) places = m_colours.places(image);
-    if (!isSure() || coloursDue) askColours(image, grey, places);
+    if (!isSure() && !places) places = m_colours.places(image);
+    if (places) askColours(image, grey, *places);
     // What the keypoints carry on must be the tool's.
     if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
       m_keypoints.lookAt(m_found->box);
