@@ -32,8 +32,9 @@ class Pieces {
     double smallest = 0.0;  ///< metres: diagonal below which none does
     /// Metres: those with less than this diagonal, or with an area of less than a third of its
     /// square (a bird's wings are long, a person's arm is larger), count only when what is
-    /// `certain` of them is itself at least the smallest thing: a rim that comes and goes with the
-    /// noise makes nothing of it doubtful.
+    /// `certain` of them is itself at least the smallest thing, and half as large as the whole: a
+    /// rim that comes and goes with the noise makes nothing of it doubtful, and where a slow bird
+    /// was for long is little of its trail.
     double doubtful = 0.0;
     double certain = 0.0;  ///< probability of a cell
   };

@@ -19,6 +19,8 @@ struct ChainFrame {
   YardKind truthKind = YardKind::Nothing;
   std::optional<double> seen;  ///< to the static surfaces that the camera sees in this frame
   YardKind seenKind = YardKind::Nothing;
+  /// Within which of these surfaces so much is seen as the smallest thing has that may alarm.
+  std::optional<double> patch;
   std::optional<double> moving;  ///< to a person or a swaying branch
   double speed = 0.0;            ///< of the load
 

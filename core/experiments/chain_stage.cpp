@@ -1,5 +1,6 @@
 #include "experiments/chain_stage.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,10 +23,35 @@ PinholeCamera cameraOf(const Frame& frame) {
 
 bool hasItsPlace(YardKind kind) { return kind != YardKind::Nothing && !moves(kind); }
 
+/// How much of what is seen lies how far from the load.
+class SeenArea {
+ public:
+  void add(double distance, double area) {
+    const double bin = distance / width;
+    if (bin < bins) m_areas[static_cast<std::size_t>(bin)] += area;
+  }
+  /// Metres within which there is as much as `area`, square metres.
+  std::optional<double> within(double area) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      sum += m_areas[k];
+      if (sum >= area) return static_cast<double>(k + 1) * width;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr std::size_t bins = 400;
+  static constexpr double width = 0.01;  // metres
+  std::array<double, bins> m_areas{};
+};
+
 /// The nearest of the static surfaces that the camera sees.
 void lookAround(const Frame& frame, ChainFrame& truth) {
+  constexpr double smallest = ClearanceParameters{}.smallestThing;
   const YardTruth& yard = *frame.truth->yard;
   const PinholeCamera camera = cameraOf(frame);
+  SeenArea area;
   double nearest = std::numeric_limits<double>::infinity();
   for (int v = 0; v < yard.depth.rows; ++v) {
     const auto* depth = yard.depth.ptr<float>(v);
@@ -33,13 +59,16 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
     for (int u = 0; u < yard.depth.cols; ++u) {
       if (!hasItsPlace(YardKind{kind[u]}) || !std::isfinite(depth[u])) continue;
       const Vector3d p = double{depth[u]} * camera.ray(u, v);
-      const double squared = (yard.load.nearestTo(p) - p).squaredNorm();
-      if (squared >= nearest) continue;
-      nearest = squared;
+      const double distance = (yard.load.nearestTo(p) - p).norm();
+      const double pixel = double{depth[u]} / camera.focal;
+      area.add(distance, pixel * pixel);
+      if (distance >= nearest) continue;
+      nearest = distance;
       truth.seenKind = YardKind{kind[u]};
     }
   }
-  if (std::isfinite(nearest)) truth.seen = std::sqrt(nearest);
+  if (std::isfinite(nearest)) truth.seen = nearest;
+  truth.patch = area.within(smallest * smallest);
 }
 
 /// What stands where the chain has its nearest point.

@@ -138,7 +138,10 @@ std::string alarmDefinitions(const WarningParameters& warning) {
          "most " +
          metres(warning.warningDistance) +
          " from the load, and for 150 ms or longer the level is neither warning nor collision; "
-         "also when the chain says that it has no distance. **False**: the level is warning or "
+         "also when the chain says that it has no distance; what shows less there than the "
+         "smallest "
+         "thing that may alarm, 10 cm x 10 cm, is counted by itself as well. **False**: the level "
+         "is warning or "
          "collision although everything, seen or not, also persons and branches, is and for " +
          fixedText(warning.releaseDelay + promptly, 2) +
          " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
@@ -151,15 +154,17 @@ std::string alarmDefinitions(const WarningParameters& warning) {
 
 Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warning) {
   constexpr double narrow = 0.1, nearZone = 0.25;  // metres
-  Table table{"chain_alarms",
-              "Missed and false alarms.",
-              {"stage", "simulated hours", "approaches", "missed", "of these without a distance",
-               "of these less than 0.1 m inside the zone", "false",
-               "of these less than 0.25 m outside it", "false an hour"},
-              {},
-              1};
+  Table table{
+      "chain_alarms",
+      "Missed and false alarms.",
+      {"stage", "simulated hours", "approaches", "missed", "of these without a distance",
+       "of these less than 0.1 m inside the zone", "of these less than 10 cm x 10 cm in sight",
+       "false", "of these less than 0.25 m outside it", "false an hour"},
+      {},
+      1};
   for (const ChainKind kind : kindsIn(runs)) {
-    std::size_t approaches = 0, missed = 0, silent = 0, barely = 0, wrong = 0, nearby = 0;
+    std::size_t approaches = 0, missed = 0, silent = 0, barely = 0, sliver = 0, wrong = 0,
+                nearby = 0;
     for (const ChainRun& run : runs) {
       if (run.kind != kind) continue;
       approaches += approachesOf(run, warning);
@@ -170,6 +175,9 @@ Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warni
             std::span(run.frames).subspan(fault.first, fault.last - fault.first + 1);
         barely += std::ranges::all_of(stretch, [&](const ChainFrame& frame) {
           return *frame.seen > warning.warningDistance - narrow;
+        });
+        sliver += std::ranges::none_of(stretch, [&](const ChainFrame& frame) {
+          return frame.patch && *frame.patch <= warning.warningDistance;
         });
       }
       for (const AlarmFault& fault : falseAlarms(run.frames, warning)) {
@@ -184,7 +192,7 @@ Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warni
     const double hours = hoursOf(runs, kind);
     table.rows.push_back({text(nameOf(kind)), fixedText(hours, 3), std::to_string(approaches),
                           std::to_string(missed), std::to_string(silent), std::to_string(barely),
-                          std::to_string(wrong), std::to_string(nearby),
+                          std::to_string(sliver), std::to_string(wrong), std::to_string(nearby),
                           ratePerHour(wrong, hours)});
   }
   return table;

@@ -183,19 +183,28 @@ std::optional<Expected> expectedIn(const CylinderFrame& frame, const CylinderLim
   return Expected{{a.u, b.u, a.v, b.v, a.q, b.q}, limits.expected->radius};
 }
 
+/// How far past an end is looked, for what is no longer the log: some cells of the picture, which
+/// is a long way along what points at the camera. Metres.
+double pastEnd(const DepthPatch& patch, const LoadAxis& start) {
+  constexpr double least = 0.35, cells = 4.0, smallestSine = 0.1;
+  const double sine = start.direction.cross(start.point.normalized()).norm();
+  return std::max(least, cells * patch.cell * start.point.norm() / std::max(sine, smallestSine));
+}
+
 }  // namespace
 
 CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits) {
   constexpr int rounds = 2;
   constexpr double leastFilled = 0.7, leastOutlined = 0.4;
-  constexpr double room = 0.1, beyond = 0.35;  // metres
+  constexpr double room = 0.1;  // metres
   LoadAxis surface = start;
   Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, {limits.toolRadius}};
   AlongRange range{limits.toolRadius};
   if (limits.expected) {
     const ExpectedCylinder& expected = *limits.expected;
     around.halfWidth = 1.6 * expected.radius + room;
+    const double beyond = pastEnd(patch, start);
     range.from = start.direction.dot(expected.from - tool) - beyond;
     range.to = start.direction.dot(expected.to - tool) + beyond;
     around.along = range;

@@ -11,8 +11,8 @@ namespace {
 /// Unknown is not clear, even where somebody asks for no share at all.
 constexpr double noShare = 1e-9;
 
-/// Of what the probability tends to: with the thesis's values reached after 6 frames in a row.
-constexpr double certainShare = 0.85;
+/// Of what the probability tends to: with the thesis's values reached after 7 frames in a row.
+constexpr double certainShare = 0.9;
 
 EnvironmentModel without(const EnvironmentModel& model, std::span<const std::size_t> cells) {
   EnvironmentModel rest = model;

@@ -55,6 +55,7 @@ class TestPieces : public QObject {
   void whatIsSmallIsNamed();
   void whatIsNotLargeMustBeCertain();
   void aRimThatComesAndGoesLeavesThePieceCertain();
+  void aTrailIsNoThingForTheFewCellsThatAreCertain();
   void nothingIsBehindAFreeCell();
   void cellsFinerThanThePixelsAreOnePiece();
 };
@@ -155,6 +156,19 @@ void TestPieces::aRimThatComesAndGoesLeavesThePieceCertain() {
   };
   QCOMPARE(left(0.15), std::size_t{0});
   QCOMPARE(left(0.2), std::size_t{6});
+}
+
+/// A slow bird: where it was for long is a few cells of the trail that it leaves behind.
+void TestPieces::aTrailIsNoThingForTheFewCellsThatAreCertain() {
+  const auto doubtful = [](int certain) {
+    EnvironmentModel model(grid);
+    for (int i = 0; i < 8; ++i) model.set(10 + i, 4, i < certain ? 0.66F : 0.3F, grid.levelOf(2.0));
+    Pieces pieces;
+    pieces.rebuild(model, 0.1);
+    return pieces.doubtful(model, {0.1, 0.4, 0.57}).size();
+  };
+  QCOMPARE(doubtful(3), std::size_t{8});
+  QCOMPARE(doubtful(4), std::size_t{0});
 }
 
 /// A trunk 0.2 m wide and 9 m away, seen with 700 pixels: rows of cells between its pixels stay
