@@ -12,7 +12,8 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double positionGain = 0.5, velocityGain = 0.15;  // of an alpha-beta filter
+constexpr double positionGain = 0.5, velocityGain = 0.15,
+                 spinGain = 0.05;  // of an alpha-beta filter
 constexpr int jumpsToBelieve = 3;
 
 double median(std::vector<double> values) {
@@ -118,7 +119,7 @@ void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected,
   pose.box.rotation = turned(expected.rotation, positionGain * turn);
   if (passed <= 0.0) return;
   pose.velocity += velocityGain / passed * off;
-  pose.spin += velocityGain / passed * turn;
+  pose.spin += spinGain / passed * turn;
 }
 
 /// While learning, the median so far; then the one that was learnt.

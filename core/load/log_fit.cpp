@@ -144,6 +144,43 @@ bool isAsThick(const CylinderFit& fit, double radius) {
   return std::abs(fit.radius - radius) < share * radius;
 }
 
+/// Of a pose that is nearly right.
+LoadDetection followFrom(const DepthPatch& patch, const Vector3d& tool,
+                         const LoadParameters& parameters, const OrientedBox& expected) {
+  constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
+  constexpr double endOn = 0.12;
+  const Reaches reaches(patch, tool, parameters);
+  const Vector3d axis = expected.rotation.col(0);
+  const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
+  const double radius = expected.size.y() / 2.0;
+  const Vector3d half = axis * expected.size.x() / 2.0;
+  const CylinderLimits limits{
+      reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
+      ExpectedCylinder{expected.centre - half, expected.centre + half, radius}};
+  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis}, limits);
+  if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
+  const Vector3d offset = expected.centre - log.centre;
+  const double across = (offset - log.axis * log.axis.dot(offset)).norm();
+  const Vector3d toTool = tool - log.centre;
+  if (std::abs(log.axis.dot(axis)) < turned || across > aside ||
+      (toTool - log.axis * log.axis.dot(toTool)).norm() > reaches.farthest ||
+      !isAsThick(log, radius) || std::max(log.shown[0], log.shown[1]) < reaches.leastArm) {
+    return LoadDetection::refused(LoadFault::NoBody);
+  }
+  // An arm that is hidden altogether does not end at the tool.
+  for (const std::size_t side : {0U, 1U})
+    log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
+  const bool whole = isWhole(log);
+  const Sizes sizes{expected.size.x(), radius};
+  const bool isLocked = parameters.dimensions == LoadDimensions::Locked;
+  const double within = endWithin(log, patch);
+  if (whole && !isLocked && std::abs(log.length - sizes.length) < within) {
+    return {boxOf(log), LoadFault::None, isHeld(log, reaches)};
+  }
+  if (!giveSizes(log, sizes, within)) return LoadDetection::refused(LoadFault::EndHidden);
+  return {boxOf(log), LoadFault::None, false};
+}
+
 }  // namespace
 
 bool isLog(const OrientedBox& box) {
@@ -183,38 +220,19 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
-  constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
-  constexpr double endOn = 0.12;
-  const Reaches reaches(patch, tool, parameters);
+  // What it has turned since, towards the camera or away, is seen least: radians.
+  constexpr std::array turns{0.0, 0.08, -0.08, 0.16, -0.16};
   const Vector3d axis = expected.rotation.col(0);
-  const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
-  const double radius = expected.size.y() / 2.0;
-  const Vector3d half = axis * expected.size.x() / 2.0;
-  const CylinderLimits limits{
-      reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
-      ExpectedCylinder{expected.centre - half, expected.centre + half, radius}};
-  CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis}, limits);
-  if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
-  const Vector3d offset = expected.centre - log.centre;
-  const double across = (offset - log.axis * log.axis.dot(offset)).norm();
-  const Vector3d toTool = tool - log.centre;
-  if (std::abs(log.axis.dot(axis)) < turned || across > aside ||
-      (toTool - log.axis * log.axis.dot(toTool)).norm() > reaches.farthest ||
-      !isAsThick(log, radius) || std::max(log.shown[0], log.shown[1]) < reaches.leastArm) {
-    return LoadDetection::refused(LoadFault::NoBody);
+  const Vector3d across = expected.centre.cross(axis).normalized();
+  LoadDetection found = LoadDetection::refused(LoadFault::EndOn);
+  for (const double turn : turns) {
+    OrientedBox tried = expected;
+    tried.rotation = Eigen::AngleAxisd(turn, across).toRotationMatrix() * expected.rotation;
+    const LoadDetection one = followFrom(patch, tool, parameters, tried);
+    if (one.box || turn == 0.0) found = one;
+    if (found.box) break;
   }
-  // An arm that is hidden altogether does not end at the tool.
-  for (const std::size_t side : {0U, 1U})
-    log.endSeen[side] = log.endSeen[side] && log.shown[side] > 0.0;
-  const bool whole = isWhole(log);
-  const Sizes sizes{expected.size.x(), radius};
-  const bool isLocked = parameters.dimensions == LoadDimensions::Locked;
-  const double within = endWithin(log, patch);
-  if (whole && !isLocked && std::abs(log.length - sizes.length) < within) {
-    return {boxOf(log), LoadFault::None, isHeld(log, reaches)};
-  }
-  if (!giveSizes(log, sizes, within)) return LoadDetection::refused(LoadFault::EndHidden);
-  return {boxOf(log), LoadFault::None, false};
+  return found;
 }
 
 }  // namespace boomwatch
