@@ -139,10 +139,9 @@ std::string alarmDefinitions(const WarningParameters& warning) {
          metres(warning.warningDistance) +
          " from the load, and for 150 ms or longer the level is neither warning nor collision; "
          "also when the chain says that it has no distance; what shows less there than the "
-         "smallest "
-         "thing that may alarm, 10 cm x 10 cm, is counted by itself as well. **False**: the level "
-         "is warning or "
-         "collision although everything, seen or not, also persons and branches, is and for " +
+         "smallest thing that may alarm, 10 cm x 10 cm, is counted by itself as well. **False**: "
+         "the level is warning or collision although everything, seen or not, also persons and "
+         "branches, is and for " +
          fixedText(warning.releaseDelay + promptly, 2) +
          " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
          " and than the load goes in " + fixedText(warning.warningTime, 1) +

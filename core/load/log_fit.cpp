@@ -144,7 +144,7 @@ bool isAsThick(const CylinderFit& fit, double radius) {
   return std::abs(fit.radius - radius) < share * radius;
 }
 
-/// Of a pose that is nearly right.
+/// followLog() where the expected pose is nearly right.
 LoadDetection followFrom(const DepthPatch& patch, const Vector3d& tool,
                          const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
@@ -220,19 +220,21 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
-  // What it has turned since, towards the camera or away, is seen least: radians.
+  // How far it has turned since towards the camera, or away: of its pose that is seen least.
+  // Radians.
   constexpr std::array turns{0.0, 0.08, -0.08, 0.16, -0.16};
-  const Vector3d axis = expected.rotation.col(0);
-  const Vector3d across = expected.centre.cross(axis).normalized();
-  LoadDetection found = LoadDetection::refused(LoadFault::EndOn);
+  const Vector3d across = expected.centre.cross(expected.rotation.col(0));
+  LoadDetection untilted = LoadDetection::refused(LoadFault::EndOn);
+  if (!(across.norm() > 0.0)) return untilted;
   for (const double turn : turns) {
     OrientedBox tried = expected;
-    tried.rotation = Eigen::AngleAxisd(turn, across).toRotationMatrix() * expected.rotation;
-    const LoadDetection one = followFrom(patch, tool, parameters, tried);
-    if (one.box || turn == 0.0) found = one;
-    if (found.box) break;
+    tried.rotation =
+        Eigen::AngleAxisd(turn, across.normalized()).toRotationMatrix() * expected.rotation;
+    const LoadDetection found = followFrom(patch, tool, parameters, tried);
+    if (found.box) return found;
+    if (turn == 0.0) untilted = found;
   }
-  return found;
+  return untilted;
 }
 
 }  // namespace boomwatch

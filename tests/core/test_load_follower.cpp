@@ -63,6 +63,21 @@ class TestLoadFollower : public QObject {
     }
   }
 
+  /// As when it points at the camera: what its axis seems to do for some frames does not turn it on
+  /// while it is not seen.
+  void whatSeemsToTurnForAMomentDoesNotTurnOn() {
+    constexpr double frame = 0.05;
+    LoadFollower follower;
+    int k = 0;
+    for (; k < 40; ++k) follower.follow(seen({0, 0, 5}), k * frame, {}, maxAge);
+    for (; k < 44; ++k) follower.follow(seen({0, 0, 5}, 0.15), k * frame, {}, maxAge);
+    std::optional<OrientedBox> box;
+    for (; k < 52; ++k) box = follower.follow(nothing, k * frame, {}, maxAge).box;
+    QVERIFY(box);
+    const double turn = std::acos(std::abs(box->rotation.col(0).x()));
+    QVERIFY2(turn < 0.25, qPrintable(QString::number(turn)));
+  }
+
   void aLoadThatIsNotSeenGoesWithItsTool() {
     LoadFollower follower;
     const Eigen::Vector3f tool(0, -1, 5), later(0.3F, -0.8F, 5.1F);

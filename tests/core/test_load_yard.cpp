@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <QtTest>
 
 #include "../load_errors.h"
@@ -105,6 +106,30 @@ class TestLoadYard : public QObject {
     QVERIFY(2 * hidden > frames);
     QVERIFY(10 * seen >= 9 * frames);
     QVERIFY(worst < 0.3);
+  }
+
+  /// Whatever it has turned meanwhile, towards the camera or away; it points at it within 22
+  /// degrees.
+  void aLogThatHasTurnedIsTheSame() {
+    for (const std::size_t index : {464, 482, 500}) {
+      const FramePtr frame = m_frames.at("as=depth,path=random,seed=4", index);
+      const Cylinder& log = frame->truth->yard->log;
+      const Vector3d across = log.centre.cross(log.axis).normalized();
+      for (const double degrees : {-8.0, -4.0, 0.0, 4.0, 8.0, 12.0}) {
+        OrientedBox expected;
+        expected.centre = log.centre;
+        expected.size = {log.length, 2.0 * log.radius, 2.0 * log.radius};
+        expected.rotation << log.axis, across, log.axis.cross(across);
+        expected.rotation = Eigen::AngleAxisd(degrees * M_PI / 180.0, across).toRotationMatrix() *
+                            expected.rotation;
+        const LoadDetection found =
+            detectLoad(*frame->cloud, frame->truth->yard->toolPoint.cast<float>(), depthNoise,
+                       bounds, {}, expected);
+        QVERIFY2(found.box, std::to_string(degrees).c_str());
+        QVERIFY((found.box->centre - log.centre).norm() < 0.25);
+        QVERIFY(std::abs(found.box->rotation.col(0).dot(log.axis)) > std::cos(10.0 * M_PI / 180.0));
+      }
+    }
   }
 };
 
