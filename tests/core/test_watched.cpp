@@ -155,7 +155,7 @@ void TestWatched::sizesBelowTheSmallestThingDoNotCount() {
     parameters.clearance.smallestThing = smallest;
     Pipeline pipeline;
     Result result;
-    for (std::uint64_t n = 0; n < 6; ++n) {
+    for (std::uint64_t n = 0; n < 7; ++n) {
       auto frame = std::make_shared<Frame>(*wallFrame(n, 3.0F));
       auto cloud = std::make_shared<Cloud>(*frame->cloud);
       for (const int k : {79 * 160 + 79, 79 * 160 + 80}) {
