@@ -165,7 +165,7 @@ std::optional<Evidence> Pieces::evidenceAt(const Eigen::Vector3d& onEnvironment)
 std::vector<std::size_t> Pieces::doubtful(const EnvironmentModel& model,
                                           const Limits& limits) const {
   const double leastArea = limits.doubtful * limits.doubtful / 3;
-  constexpr double certainShare = 0.5;
+  constexpr double certainPart = 0.5;  // of the whole, from corner to corner
   std::vector<Extent> certain(m_pieces.size());
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none || static_cast<double>(model.probabilities()[k]) < limits.certain) {
@@ -180,7 +180,7 @@ std::vector<std::size_t> Pieces::doubtful(const EnvironmentModel& model,
     const Evidence& piece = m_pieces[label];
     const bool large = piece.extent >= limits.doubtful && piece.area >= leastArea;
     const double sure = large ? piece.extent : certain[label].diagonal(m_geometry);
-    if (sure == 0.0 || sure < std::max(limits.smallest, certainShare * piece.extent)) {
+    if (sure == 0.0 || sure < std::max(limits.smallest, certainPart * piece.extent)) {
       cells.push_back(k);
     }
   }

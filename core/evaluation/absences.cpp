@@ -62,7 +62,7 @@ void addAbsences(TrackingSequence& sequence, std::size_t count, std::optional<st
   const auto first = static_cast<std::size_t>(std::ranges::find_if(truth, seen) - truth.begin());
   const std::size_t length = std::min(truth.size() - first, frames.value_or(truth.size()));
   GroundTruth hidden(truth.size());
-  count = std::min(count, length - 1);  // no two begin at one frame
+  count = std::min(count, length);  // no two begin at one frame
   for (std::size_t k = 1; k <= count; ++k) {
     const std::size_t begin = first + k * length / (count + 1), end = begin + absenceLength;
     if (end + refoundWithin > first + length || begin == first) continue;

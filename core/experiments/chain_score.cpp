@@ -78,6 +78,9 @@ std::vector<AlarmFault> missedAlarms(std::span<const ChainFrame> frames,
     const auto stretch = frames.subspan(fault.first, fault.last - fault.first + 1);
     fault.withoutDistance = std::ranges::all_of(
         stretch, [](const ChainFrame& f) { return f.level == WarningLevel::NoDistance; });
+    fault.ofSliver = std::ranges::none_of(stretch, [&](const ChainFrame& f) {
+      return f.patch && *f.patch <= warning.warningDistance;
+    });
   }
   return silent;
 }

@@ -12,6 +12,9 @@
 
 namespace boomwatch {
 
+/// Side of the smallest thing that may alarm, as the parameters have it by default. Metres.
+inline constexpr double smallestPatch = ClearanceParameters{}.smallestThing;
+
 /// One frame of a yard, as it is and as the chain saw it. Metres, seconds.
 struct ChainFrame {
   double stamp = 0.0;
@@ -19,8 +22,7 @@ struct ChainFrame {
   YardKind truthKind = YardKind::Nothing;
   std::optional<double> seen;  ///< to the static surfaces that the camera sees in this frame
   YardKind seenKind = YardKind::Nothing;
-  /// Within which of these surfaces so much is seen as the smallest thing has that may alarm.
-  std::optional<double> patch;
+  std::optional<double> patch;   ///< within which a smallestPatch of these surfaces is seen
   std::optional<double> moving;  ///< to a person or a swaying branch
   double speed = 0.0;            ///< of the load
 
@@ -57,6 +59,7 @@ std::vector<double> distanceErrors(std::span<const ChainFrame> frames, bool agai
 struct AlarmFault {
   std::size_t first = 0, last = 0;  ///< frames
   bool withoutDistance = false;     ///< missed: in all of it the chain said that it knows nothing
+  bool ofSliver = false;  ///< missed: in all of it less than a smallestPatch was seen there
 };
 
 /// Missed alarms: something that has its place and is seen is at most warning_distance away, and

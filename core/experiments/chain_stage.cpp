@@ -48,7 +48,6 @@ class SeenArea {
 
 /// The nearest of the static surfaces that the camera sees.
 void lookAround(const Frame& frame, ChainFrame& truth) {
-  constexpr double smallest = ClearanceParameters{}.smallestThing;
   const YardTruth& yard = *frame.truth->yard;
   const PinholeCamera camera = cameraOf(frame);
   SeenArea area;
@@ -68,7 +67,7 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
     }
   }
   if (std::isfinite(nearest)) truth.seen = nearest;
-  truth.patch = area.within(smallest * smallest);
+  truth.patch = area.within(smallestPatch * smallestPatch);
 }
 
 /// What stands where the chain has its nearest point.

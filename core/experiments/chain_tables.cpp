@@ -138,10 +138,11 @@ std::string alarmDefinitions(const WarningParameters& warning) {
          "most " +
          metres(warning.warningDistance) +
          " from the load, and for 150 ms or longer the level is neither warning nor collision; "
-         "also when the chain says that it has no distance; what shows less there than the "
-         "smallest thing that may alarm, 10 cm x 10 cm, is counted by itself as well. **False**: "
-         "the level is warning or collision although everything, seen or not, also persons and "
-         "branches, is and for " +
+         "also when the chain says that it has no distance; those of which less is in "
+         "sight there than the smallest thing that may alarm, " +
+         metres(smallestPatch) + " x " + metres(smallestPatch) +
+         ", are counted by themselves as well. **False**: the level is warning or collision "
+         "although everything, seen or not, also persons and branches, is and for " +
          fixedText(warning.releaseDelay + promptly, 2) +
          " s (release delay and 150 ms) was farther away than " + metres(warning.warningDistance) +
          " and than the load goes in " + fixedText(warning.warningTime, 1) +
@@ -157,7 +158,7 @@ Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warni
       "chain_alarms",
       "Missed and false alarms.",
       {"stage", "simulated hours", "approaches", "missed", "of these without a distance",
-       "of these less than 0.1 m inside the zone", "of these less than 10 cm x 10 cm in sight",
+       "of these less than 0.1 m inside the zone", "of these with less in sight than may alarm",
        "false", "of these less than 0.25 m outside it", "false an hour"},
       {},
       1};
@@ -170,13 +171,11 @@ Table chainAlarms(std::span<const ChainRun> runs, const WarningParameters& warni
       for (const AlarmFault& fault : missedAlarms(run.frames, warning)) {
         ++missed;
         silent += fault.withoutDistance;
+        sliver += fault.ofSliver;
         const auto stretch =
             std::span(run.frames).subspan(fault.first, fault.last - fault.first + 1);
         barely += std::ranges::all_of(stretch, [&](const ChainFrame& frame) {
           return *frame.seen > warning.warningDistance - narrow;
-        });
-        sliver += std::ranges::none_of(stretch, [&](const ChainFrame& frame) {
-          return frame.patch && *frame.patch <= warning.warningDistance;
         });
       }
       for (const AlarmFault& fault : falseAlarms(run.frames, warning)) {

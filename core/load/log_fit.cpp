@@ -148,7 +148,7 @@ bool isAsThick(const CylinderFit& fit, double radius) {
 LoadDetection followFrom(const DepthPatch& patch, const Vector3d& tool,
                          const LoadParameters& parameters, const OrientedBox& expected) {
   constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
-  constexpr double endOn = 0.12;
+  constexpr double endOn = 0.12;                // radians
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();

@@ -15,8 +15,9 @@ namespace boomwatch {
 LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
                       const LoadParameters& parameters, const std::optional<OrientedBox>& known);
 
-/// The same log a moment later: `expected` (its axis as x) is where it is by now, about. Needs to
-/// see far less than findLog(). Refused when what is seen there is not that log. Pure.
+/// The same log a moment later: `expected` (its axis as x) is where it is by now, about; its tilt
+/// towards the camera may be off by some 12 degrees. Needs to see far less than findLog(). Refused
+/// when what is seen there is not that log. Pure.
 LoadDetection followLog(const DepthPatch& patch, const Eigen::Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected);
 

@@ -220,7 +220,8 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
     m_colours.observe(image, places, m_found->box);
   } else if (m_colours.denies(image, m_found->box)) {
     lose();
-  } else if (m_colours.scoreOf(image, m_found->box) >= m_colours.threshold().value_or(2.0)) {
+  } else if (const auto least = m_colours.threshold();
+             least && m_colours.scoreOf(image, m_found->box) >= *least) {
     m_imagesDoubted = 0;
   }
 }

@@ -91,6 +91,12 @@ void TestAbsences::noAbsenceWithoutRoomForTheReturn() {
   TrackingSequence tooShort = sequence();
   addAbsences(tooShort, 1, 2 * (absenceLength + refoundWithin) - 2);
   QCOMPARE(hiddenIn(tooShort), std::size_t{0});
+  TrackingSequence never = sequence();
+  never.truth.assign(length, std::nullopt);
+  addAbsences(never, std::numeric_limits<std::size_t>::max());
+  QCOMPARE(
+      cv::norm(never.images->read(length / 2).image, sequence().images->read(length / 2).image),
+      0.0);
 }
 
 void TestAbsences::moreThanThereIsRoomForAreAsManyAsThereIs() {

@@ -15,7 +15,7 @@ std::vector<ChainFrame> sequence(std::size_t count, double distance, WarningLeve
   for (std::size_t k = 0; k < count; ++k) {
     frames[k].stamp = static_cast<double>(k) / rate;
     frames[k].truth = distance;
-    frames[k].seen = distance;
+    frames[k].seen = frames[k].patch = distance;
     frames[k].level = level;
   }
   return frames;
@@ -43,6 +43,17 @@ class TestChainScore : public QObject {
     QCOMPARE(missed[0].first, std::size_t{20});
     QCOMPARE(missed[0].last, std::size_t{23});
     QVERIFY(!missed[0].withoutDistance);
+  }
+
+  void aSliverIsMissedAndSaidToBeOne() {
+    auto frames = sequence(60, 0.9, WarningLevel::Caution);
+    QVERIFY(!missedAlarms(frames, limits)[0].ofSliver);
+    for (ChainFrame& frame : frames) frame.patch = 1.1;
+    QVERIFY(missedAlarms(frames, limits)[0].ofSliver);
+    for (ChainFrame& frame : frames) frame.patch.reset();
+    QVERIFY(missedAlarms(frames, limits)[0].ofSliver);
+    frames[30].patch = 1.0;
+    QVERIFY(!missedAlarms(frames, limits)[0].ofSliver);
   }
 
   void everyStretchIsOneMissedAlarm() {

@@ -51,6 +51,8 @@ class TestExperimentsChain : public QObject {
       // A pixel's depth is a float.
       QVERIFY(*truth.seen >= truth.truth - 1e-4);
       QVERIFY(*truth.seen < truth.truth + 1.0);
+      // A patch is somewhat farther away than its nearest point; here it is on the ground.
+      QVERIFY(truth.patch && *truth.patch >= *truth.seen && *truth.patch < *truth.seen + 0.1);
     }
   }
 

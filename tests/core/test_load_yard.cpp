@@ -73,7 +73,7 @@ class TestLoadYard : public QObject {
     QVERIFY(load_scene::quantile(errors.length, 0.5) < 0.10);
   }
 
-  /// In frames 40 to 116 of seed 1 the grapple hides the far end; in frames 244 to 356 the log
+  /// In frames 40 to 116 of seed 1 the grapple hides the far end; in frames 250 to 352 the log
   /// points at the camera within 20 degrees.
   void aLogIsFollowedWhileAnEndIsHidden_data() {
     QTest::addColumn<std::size_t>("first");

@@ -100,9 +100,18 @@ std::function<double(const Vector3f&)> heightAbove(const Points& floor) {
       [=](const Vector3f& p) { return (plane.dot(Vector3f(p.x(), p.y(), 1.0F)) - p.z()) / length; };
 }
 
-void report(const OrientedBox& box, double enclosed) {
-  qInfo("%.3f x %.3f x %.3f m, encloses %.1f %%", box.size.x(), box.size.y(), box.size.z(),
-        100.0 * enclosed);
+/// The box of the thing at `tool`, if it encloses its `points`.
+std::optional<OrientedBox> enclosing(const Points& points, const Cloud& cloud, const Vector3f& tool,
+                                     double maxSize) {
+  const LoadDetection found = boxAt(cloud, tool, maxSize);
+  if (!found.box) {
+    qWarning("refused: %s", std::string(toString(found.fault)).c_str());
+    return std::nullopt;
+  }
+  const Eigen::Vector3d& size = found.box->size;
+  const double enclosed = enclosedShare(*found.box, points);
+  qInfo("%.3f x %.3f x %.3f m, encloses %.1f %%", size.x(), size.y(), size.z(), 100.0 * enclosed);
+  return enclosed >= 0.95 ? found.box : std::nullopt;
 }
 
 }  // namespace
@@ -113,33 +122,34 @@ class TestRealLoads : public QObject {
   Q_OBJECT
  private slots:
   /// On a table, which must not be taken for a part of them. Of two that stand on each other
-  /// nothing says that they are not one.
+  /// nothing says that they are not one. Looked for up to 0.36 m around it, test3's first goes over
+  /// into what is beside it, and is refused.
   void aLabelledBoxIsEnclosed_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<unsigned>("first");
     QTest::addColumn<unsigned>("last");
-    QTest::newRow("learn0 1") << QStringLiteral("learn0") << 20U << 29U;
-    QTest::newRow("learn0 2") << QStringLiteral("learn0") << 30U << 39U;
-    QTest::newRow("test3 1") << QStringLiteral("test3") << 20U << 29U;
-    QTest::newRow("test3 2") << QStringLiteral("test3") << 30U << 39U;
-    QTest::newRow("learn20, stacked") << QStringLiteral("learn20") << 20U << 39U;
+    QTest::addColumn<double>("maxSize");
+    QTest::newRow("learn0 1") << QStringLiteral("learn0") << 20U << 29U << 0.6;
+    QTest::newRow("learn0 2") << QStringLiteral("learn0") << 30U << 39U << 0.6;
+    QTest::newRow("test3 1") << QStringLiteral("test3") << 20U << 29U << 0.5;
+    QTest::newRow("test3 2") << QStringLiteral("test3") << 30U << 39U << 0.6;
+    QTest::newRow("learn20, stacked") << QStringLiteral("learn20") << 20U << 39U << 0.6;
   }
   void aLabelledBoxIsEnclosed() {
     QFETCH(QString, name);
     QFETCH(unsigned, first);
     QFETCH(unsigned, last);
+    QFETCH(double, maxSize);
     const QString path = sharedData(QStringLiteral("pcd_labelled_mosd/%1.pcd").arg(name));
     REQUIRE_DATA(path);
     const CloudFile file = readCloudFile(path.toStdString());
     const Points points = labelled(file, first, last);
     QVERIFY(points.size() > 1000);
-    const LoadDetection found = boxAt(*file.cloud, middleOf(points), 0.5);
-    QVERIFY(found.box);
-    report(*found.box, enclosedShare(*found.box, points));
-    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
+    const auto box = enclosing(points, *file.cloud, middleOf(points), maxSize);
+    QVERIFY(box);
     const Points table = labelled(file, 1, 9);
     QVERIFY(table.size() > 1000);
-    QVERIFY(enclosedShare(*found.box, table) < 0.005);
+    QVERIFY(enclosedShare(*box, table) < 0.005);
   }
 
   /// By a stereo camera whose floor was recorded without the box as well. The floor by itself is no
@@ -157,17 +167,14 @@ class TestRealLoads : public QObject {
       if (isMeasured(p) && height(p) > 0.04 && p.x() < 0.5F) points.push_back(p);
     }
     QVERIFY(points.size() > 3000);
-    const Vector3f tool = middleOf(points);
-    const LoadDetection found = boxAt(cloud, tool, 1.2);
-    QVERIFY(found.box);
-    report(*found.box, enclosedShare(*found.box, points));
-    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
+    const auto box = enclosing(points, cloud, middleOf(points), 1.2);
+    QVERIFY(box);
     std::vector<double> heights;
     for (const Vector3f& p : points) heights.push_back(height(p));
     std::ranges::nth_element(heights, heights.begin() + std::ssize(heights) / 2);
     const double high = heights[heights.size() / 2];
     qInfo("its top is %.3f m above the floor", high);
-    QVERIFY(found.box->size.minCoeff() < 1.3 * high);
+    QVERIFY(box->size.minCoeff() < 1.3 * high);
     QVERIFY(!boxAt(floor, middleOf(floor.points), 1.2).box);
   }
 
@@ -183,12 +190,12 @@ class TestRealLoads : public QObject {
                                          {355, 243},
                                          {370, 234},
                                          {428, 240},
-                                         {448, 258},  //
+                                         {448, 258},
                                          {437, 275},
                                          {432, 300},
                                          {432, 340},
                                          {425, 356},
-                                         {408, 366},  //
+                                         {408, 366},
                                          {385, 369},
                                          {365, 363},
                                          {350, 348},
@@ -197,11 +204,9 @@ class TestRealLoads : public QObject {
     QVERIFY(points.size() > 5000);
     const auto tool = toolPointAt(cloud, {395, 320});
     QVERIFY(tool);
-    const LoadDetection found = boxAt(cloud, *tool, 0.25);
-    QVERIFY(found.box);
-    report(*found.box, enclosedShare(*found.box, points));
-    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
-    QVERIFY(found.box->size.maxCoeff() < largest);
+    const auto box = enclosing(points, cloud, *tool, 0.25);
+    QVERIFY(box);
+    QVERIFY(box->size.maxCoeff() < largest);
   }
 
   /// The nearest of five, who stands 0.5 m before the others; the feet are out of the picture.
@@ -214,11 +219,9 @@ class TestRealLoads : public QObject {
     QVERIFY(points.size() > 20000);
     const auto tool = toolPointAt(cloud, {540, 250});
     QVERIFY(tool);
-    const LoadDetection found = boxAt(cloud, *tool, 2.5);
-    QVERIFY(found.box);
-    report(*found.box, enclosedShare(*found.box, points));
-    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
-    const Eigen::Vector3d& size = found.box->size;
+    const auto box = enclosing(points, cloud, *tool, 2.5);
+    QVERIFY(box);
+    const Eigen::Vector3d& size = box->size;
     QVERIFY(size.maxCoeff() < 1.8 && size.prod() < 1.8 * 0.6 * 0.35);
   }
 
@@ -233,13 +236,10 @@ class TestRealLoads : public QObject {
     QVERIFY(points.size() > 3000);
     const auto tool = toolPointAt(cloud, {285, 150});
     QVERIFY(tool);
-    const LoadDetection found = boxAt(cloud, *tool, 0.6);
-    QVERIFY(found.box);
-    const Eigen::Vector3d& size = found.box->size;
-    qInfo("%.3f x %.3f x %.3f m, encloses %.1f %%, volume %.2f of the carton's", size.x(), size.y(),
-          size.z(), 100.0 * enclosedShare(*found.box, points), size.prod() / volume);
-    QVERIFY(enclosedShare(*found.box, points) >= 0.95);
-    QVERIFY(size.prod() < 1.3 * volume);
+    const auto box = enclosing(points, cloud, *tool, 0.6);
+    QVERIFY(box);
+    qInfo("%.2f of the carton's volume", box->size.prod() / volume);
+    QVERIFY(box->size.prod() < 1.3 * volume);
   }
 
   void theFloorBesideTheCartonIsNoLoad() {
