@@ -69,7 +69,7 @@ std::vector<OrientedBox> boomSegments(const Points& boom) {
 }
 
 CraneBoxes craneBoxes(const Points& cluster, const Eigen::Vector3f& tool, double toolSize,
-                      const std::optional<OrientedBox>& loadVolume) {
+                      const std::optional<ViewedBox>& loadVolume) {
   std::vector<Vector3d> toolPoints, boomPoints;
   for (const Eigen::Vector3f& point : cluster) {
     const Vector3d p = point.cast<double>();

@@ -5,6 +5,7 @@
 
 #include "frame/cloud.h"
 #include "frame/oriented_box.h"
+#include "frame/viewed_box.h"
 
 namespace boomwatch {
 
@@ -24,6 +25,6 @@ std::vector<OrientedBox> boomSegments(const Points& boom);
 /// Ramer 1972 and Douglas and Peucker 1973), and each segment gets a box along its principal axes.
 /// Pieces of fewer than 10 points are left out. Only surfaces that face the camera are in it. Pure.
 CraneBoxes craneBoxes(const Points& cluster, const Eigen::Vector3f& tool, double toolSize,
-                      const std::optional<OrientedBox>& loadVolume);
+                      const std::optional<ViewedBox>& loadVolume);
 
 }  // namespace boomwatch

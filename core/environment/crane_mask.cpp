@@ -18,7 +18,7 @@ using Eigen::Vector3f;
 struct HangsAtTool {
   Vector3f tool;
   double size;  ///< diameter of the tool
-  std::optional<OrientedBox> load;
+  std::optional<ViewedBox> load;
 
   bool isWithin(const Vector3f& p) const { return (p - tool).norm() <= size / 2; }
   bool isLoad(const Vector3f& p) const { return load && load->contains(p.cast<double>()); }
@@ -28,7 +28,7 @@ struct HangsAtTool {
     if (!load) return false;
     const double away = (p - tool).cast<double>().norm();
     const Eigen::Vector3d point = p.cast<double>();
-    const double toLoad = (load->nearestTo(point) - point).norm();
+    const double toLoad = (load->box.nearestTo(point) - point).norm();
     return toLoad == 0.0 || (away <= beyond * size && toLoad <= closeToLoad);
   }
 };
@@ -115,7 +115,7 @@ std::string_view nameOf(ToolMask mask) {
 }
 
 CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud& cloud,
-                    const Vector3f& tool, const std::optional<OrientedBox>& load,
+                    const Vector3f& tool, const std::optional<ViewedBox>& load,
                     const Parameters& parameters, const CraneMemory& memory) {
   constexpr double mostly = 0.6;
   const HangsAtTool hangs{tool, parameters.load.toolSize, load};

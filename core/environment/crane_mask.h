@@ -7,7 +7,7 @@
 #include "environment/clusters.h"
 #include "environment/crane_memory.h"
 #include "frame/cloud.h"
-#include "frame/oriented_box.h"
+#include "frame/viewed_box.h"
 #include "pipeline/parameters.h"
 
 namespace boomwatch {
@@ -48,7 +48,7 @@ struct CraneMask {
 /// or within somewhat more than all of it and close to the load, and those that lie mostly where
 /// `memory` has the crane. Clusters below cluster_minimum are no part of anything. Pure.
 CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud& cloud,
-                    const Eigen::Vector3f& tool, const std::optional<OrientedBox>& load,
+                    const Eigen::Vector3f& tool, const std::optional<ViewedBox>& load,
                     const Parameters& parameters, const CraneMemory& memory);
 
 }  // namespace boomwatch

@@ -30,7 +30,7 @@ void crop(const Cloud& cloud, const Bounds& bounds, ModelProjection projection, 
 }
 
 /// Moves the points of the load to `removed`.
-void takeOut(const OrientedBox& load, Points& points, Points& removed) {
+void takeOut(const ViewedBox& load, Points& points, Points& removed) {
   std::erase_if(points, [&](const Vector3f& p) {
     const bool isLoad = load.contains(p.cast<double>());
     if (isLoad) removed.push_back(p);
@@ -69,7 +69,7 @@ SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters) {
 
 StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
                            const std::optional<Vector3f>& tool,
-                           const std::optional<OrientedBox>& load, const Parameters& parameters,
+                           const std::optional<ViewedBox>& load, const Parameters& parameters,
                            const CraneMemory& memory) {
   Points& points = segments.points;
   Clusters& clusters = segments.clusters;

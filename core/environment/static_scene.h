@@ -49,12 +49,12 @@ SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters);
 /// z-reprojection the tool point moves as the points do; the load's box stays where it is.
 StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
                            const std::optional<Eigen::Vector3f>& tool,
-                           const std::optional<OrientedBox>& load, const Parameters& parameters,
+                           const std::optional<ViewedBox>& load, const Parameters& parameters,
                            const CraneMemory& memory = {});
 
 /// Both.
 inline StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
-                                  const std::optional<OrientedBox>& load,
+                                  const std::optional<ViewedBox>& load,
                                   const Parameters& parameters, const CraneMemory& memory = {}) {
   return separateStatic(segmentCloud(cloud, parameters), cloud, tool, load, parameters, memory);
 }

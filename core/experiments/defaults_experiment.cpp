@@ -22,6 +22,7 @@ void everyPiece(Parameters& p) { p.clearance.smallestThing = p.clearance.doubtfu
 void anyPieceAtOnce(Parameters& p) { p.clearance.doubtfulThing = 0.0; }
 void depthAsItIs(Parameters& p) { p.filter.depthSmooth = 0; }
 void veilsStay(Parameters& p) { p.stereo.steepest = 0.0; }
+void disparityAsItIs(Parameters& p) { p.stereo.smooth = 0; }
 
 constexpr Change changes[] = {
     {"defaults", [](Parameters&) {}},
@@ -37,11 +38,13 @@ constexpr Change changes[] = {
      }},
     {"defaults", [](Parameters&) {}, true},
     {"stereo_steepest=0", veilsStay, true},
-    {"model_update=thesis, doubtful_thing=0, smallest_thing=0, stereo_steepest=0",
+    {"stereo_smooth=0", disparityAsItIs, true},
+    {"all of these that stereo has",
      [](Parameters& p) {
        thesisUpdate(p);
        everyPiece(p);
        veilsStay(p);
+       disparityAsItIs(p);
      },
      true},
 };

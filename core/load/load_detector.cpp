@@ -25,12 +25,11 @@ LoadDetection judged(const LoadDetection& found, const Bounds& bounds, double ma
 
 }  // namespace
 
-OrientedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise) {
+ViewedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise, double smear) {
   constexpr double deviations = 3.0;
-  OrientedBox volume = load;
-  const double z2 = load.centre.z() * load.centre.z();
-  const Vector3d sight = (load.rotation.transpose() * load.centre.normalized()).cwiseAbs();
-  volume.size += 2.0 * (Vector3d::Constant(margin) + deviations * depthNoise * z2 * sight);
+  const double noise = deviations * depthNoise;
+  ViewedBox volume(load, noise, std::max(noise, smear));
+  volume.box.size += 2.0 * Vector3d::Constant(margin);
   return volume;
 }
 

@@ -2,6 +2,7 @@
 
 #include "frame/bounds.h"
 #include "frame/cloud.h"
+#include "frame/viewed_box.h"
 #include "load/load_detection.h"
 #include "pipeline/parameters.h"
 
@@ -22,7 +23,8 @@ LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double
                          const std::optional<OrientedBox>& expected = {});
 
 /// In which points are taken for the load's: its box, `margin` metres larger on all sides, and
-/// along the line of sight by three standard deviations of the depth there as well.
-OrientedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise);
+/// along the line of sight three standard deviations of the inverse depth more. `smear`, 1/m: by
+/// how much farther away a matcher may put the rim of a near thing.
+ViewedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise, double smear);
 
 }  // namespace boomwatch

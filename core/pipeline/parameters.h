@@ -41,7 +41,7 @@ struct StereoParameters {
   double texture = 0.2;
   int average = 1;     ///< frames of a still camera that a disparity is the mean of; 1 is off
   bool refine = true;  ///< correct the right camera so that the rows of both pictures agree
-  int smooth = 0;      ///< width of the neighbourhood that a disparity is the mean of; 0 is off
+  int smooth = 11;     ///< width of the neighbourhood that a disparity is the mean of; 0 is off
   /// Change of disparity from pixel to pixel, pixels, above which it is a veil that the matcher has
   /// drawn between a near thing and what is behind it, and goes; 0 is off.
   double steepest = 0.6;

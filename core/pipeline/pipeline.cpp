@@ -36,6 +36,10 @@ class StageClock {
 /// A quarter of a pixel is what matching leaves uncertain.
 constexpr double matchingNoise = 0.25;
 
+/// Pixels of disparity that a matcher's rim of a near thing may lack: beside it the block sees the
+/// background as well.
+constexpr double matcherSmear = 2.0;
+
 /// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
 constexpr double depthCameraNoise = 0.0014;
 
@@ -79,7 +83,7 @@ struct Pipeline::State {
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
-  std::optional<OrientedBox> findLoad(Result& result);
+  std::optional<ViewedBox> findLoad(Result& result);
   StaticScene separate(SegmentedCloud segments, const Result& result);
   bool isEvidence(const Result& result, Reason frameFault);
   Reason whyNothing(const Result& result, Reason frameFault) const;
@@ -193,7 +197,7 @@ std::future<void> Pipeline::State::look(const Result& result) {
                     });
 }
 
-std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
+std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
   const LoadSource source = loadSource(result);
@@ -215,7 +219,7 @@ std::optional<OrientedBox> Pipeline::State::findLoad(Result& result) {
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
   const double margin = detected ? parameters.margin : result.parameters.model.resolution;
-  return dynamicVolume(*result.load, margin, noise);
+  return dynamicVolume(*result.load, margin, noise, matcherSmear * depthPerPixel);
 }
 
 StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& result) {

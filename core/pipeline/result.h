@@ -36,7 +36,7 @@ struct Result {
   LoadFault loadFault = LoadFault::None;
   /// Seconds since the load was last seen; absent unless it is detected.
   std::optional<double> loadAge;
-  std::optional<OrientedBox> loadVolume;  ///< `load` with the margin that is taken out with it
+  std::optional<ViewedBox> loadVolume;  ///< `load` with the margin that is taken out with it
   StaticScene scene;
   /// Share of the points inside the bounds that were taken out with boom, tool and load. Large:
   /// what is in the way may be among them.

@@ -208,7 +208,7 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
         "stereo_smooth",
         {TR("Stereo"), TR("Smooth"),
          TR("Width of the neighbourhood that a disparity is the mean of; 0 is off"), "px"},
-        {0, 99, 6}),
+        {0, 99, 10}),
     row<&P::stereo, &S::steepest>(
         "stereo_steepest",
         {TR("Stereo"), TR("Steepest"),

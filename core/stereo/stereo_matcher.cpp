@@ -292,7 +292,8 @@ StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameter
   result.cloud = result.surfaces = reproject(result.disparity, m_maps->projection);
   if (parameters.steepest > 0.0) {
     result.surfaces =
-        reproject(withoutVeils(result.disparity, parameters.steepest), m_maps->projection);
+        reproject(withoutVeils(result.disparity, parameters.steepest, m_maps->projection.fx),
+                  m_maps->projection);
   }
   result.focalLength = m_maps->projection.fx;
   result.baseline = m_maps->projection.baseline;

@@ -3,9 +3,11 @@
 
 #include "stereo/disparity_veils.h"
 
-using boomwatch::withoutVeils;
-
 namespace {
+
+cv::Mat withoutVeils(const cv::Mat& disparity, double steepest, double focalLength = 600.0) {
+  return boomwatch::withoutVeils(disparity, steepest, focalLength);
+}
 
 constexpr int width = 60, height = 40;
 
@@ -56,9 +58,50 @@ class TestDisparityVeils : public QObject {
     }
   }
 
+  // The rim of a near thing that is drawn out towards a gap, more gently than a surface may slope.
+  void aNarrowRimGoesAndAWideSlopeStays() {
+    const auto slopesOver = [](int columns) {
+      return [columns](int along, bool gap) {
+        if (along < 20) return 30.0F;
+        if (along < 20 + columns) return 30.0F - 0.4F * static_cast<float>(along - 19);
+        return gap ? std::numeric_limits<float>::quiet_NaN() : 24.0F;
+      };
+    };
+    for (const bool gap : {true, false}) {
+      const auto rim = slopesOver(8), wide = slopesOver(14);
+      const cv::Mat across = mapOf([&](int u, int) { return rim(u, gap); });
+      const cv::Mat down = mapOf([&](int, int v) { return rim(v, gap); });
+      const cv::Mat clearAcross = withoutVeils(across, 0.6), clearDown = withoutVeils(down, 0.6);
+      for (int k = 0; k < height; ++k) {
+        const bool veil = k >= 20 && k < 28;
+        if (veil) QVERIFY(std::isnan(clearAcross.at<float>(5, k)));
+        if (veil) QVERIFY(std::isnan(clearDown.at<float>(k, 5)));
+        if (k < 19) QCOMPARE(clearAcross.at<float>(5, k), across.at<float>(5, k));
+        if (k < 19) QCOMPARE(clearDown.at<float>(k, 5), down.at<float>(k, 5));
+      }
+      const cv::Mat surface = withoutVeils(mapOf([&](int u, int) { return wide(u, gap); }), 0.6);
+      for (int u = 21; u < 32; ++u) QVERIFY(!std::isnan(surface.at<float>(5, u)));
+    }
+  }
+  // So near that a surface may be as steep, as a head that is seen from above is at its rim.
+  void aRimOfWhatIsVeryNearStays() {
+    const cv::Mat map = mapOf([](int u, int) {
+      const float at = 60.0F - 0.4F * static_cast<float>(std::clamp(u - 19, 0, 8));
+      return u < 28 ? at : std::numeric_limits<float>::quiet_NaN();
+    });
+    QCOMPARE(gapsIn(withoutVeils(map, 0.6)), gapsIn(map));
+  }
+  void aRimAtTheBorderOfThePictureGoes() {
+    const cv::Mat map = mapOf([](int u, int) {
+      return u < width - 6 ? 30.0F : 30.0F - 0.4F * static_cast<float>(u - (width - 7));
+    });
+    const cv::Mat clear = withoutVeils(map, 0.6);
+    for (int u = width - 6; u < width - 1; ++u) QVERIFY(std::isnan(clear.at<float>(5, u)));
+  }
+
   void anEdgeWithoutOneLosesAPixelAtMost() {
     const cv::Mat map = mapOf([](int, int v) { return v < 20 ? 30.0F : 24.0F; });
-    QCOMPARE(gapsIn(withoutVeils(map, 0.6)), 2 * (width - 2));
+    QCOMPARE(gapsIn(withoutVeils(map, 0.6)), 2 * width);
   }
 
   void gapsAreNoSlopes() {

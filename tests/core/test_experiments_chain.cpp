@@ -116,7 +116,7 @@ class TestExperimentsChain : public QObject {
     setup.hours = 1.0 / 3600.0;
     const auto chapter = runDefaultsExperiment(setup, always);
     const Table table = tableOf(*chapter, "defaults");
-    QCOMPARE(table.rows.size(), std::size_t{9});
+    QCOMPARE(table.rows.size(), std::size_t{10});
     QCOMPARE(table.rows.front()[0] + ": " + table.rows.front()[1],
              std::string("noisy depth: defaults"));
     // Set back it must not do what the default does, as far as so short a run shows it.

@@ -8,6 +8,7 @@
 #include "frame/clearance.h"
 #include "frame/cloud.h"
 #include "frame/oriented_box.h"
+#include "frame/viewed_box.h"
 #include "pipeline/warning.h"
 
 using namespace boomwatch;
@@ -166,6 +167,36 @@ class TestFrame : public QObject {
     QVERIFY(level(1.0001) == WarningLevel::Caution);
     QVERIFY(level(2.0) == WarningLevel::Caution);
     QVERIFY(level(2.0001) == WarningLevel::Clear);
+  }
+
+  /// Against its definition: some point of the box lies on the line of sight, within the error.
+  void aViewedBoxHasWhatMayBeMeasuredOfIt() {
+    std::mt19937 random(5);
+    int within = 0;
+    for (int k = 0; k < 2000; ++k) {
+      OrientedBox box = randomBox(random);
+      box.centre.z() += 5.0;
+      const ViewedBox viewed(box, 0.02, 0.05);
+      const Vector3d p = randomPoint(random) + Vector3d(0, 0, 5);
+      bool found = false;
+      for (double inverse = -0.02; inverse <= 0.05; inverse += 1e-4) {
+        found = found || box.contains(p / (1.0 + p.z() * inverse));
+      }
+      // Between two samples it may be cut at a corner.
+      const bool surely = found || !ViewedBox(box, 0.0201, 0.0501).contains(p);
+      if (surely) QCOMPARE(viewed.contains(p), found);
+      QCOMPARE(ViewedBox(box).contains(p), box.contains(p));
+      within += found;
+    }
+    QVERIFY(within > 100 && within < 1900);
+  }
+  void aViewedBoxReachesNoFartherThanTheError() {
+    const ViewedBox box({{0, 0, 5}, {1, 1, 1}, Eigen::Matrix3d::Identity()}, 0.01, 0.02);
+    const auto at = [](double inverse) { return Vector3d(0, 0, 1.0 / inverse); };
+    QVERIFY(box.contains(at(1 / 5.5 - 0.0199)) && !box.contains(at(1 / 5.5 - 0.0201)));
+    QVERIFY(box.contains(at(1 / 4.5 + 0.0099)) && !box.contains(at(1 / 4.5 + 0.0101)));
+    // Beside it, along the same line of sight: not even close behind it.
+    QVERIFY(!box.contains({0.6, 0, 5.6}) && box.contains({0.55, 0, 5.6}));
   }
 
   void whatIsUnknownIsNeverClear() {
