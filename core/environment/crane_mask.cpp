@@ -24,12 +24,12 @@ struct HangsAtTool {
   bool isLoad(const Vector3f& p) const { return load && load->contains(p.cast<double>()); }
   bool operator()(const Vector3f& p) const {
     constexpr double closeToLoad = 0.3, beyond = 1.3;
-    if (isWithin(p)) return true;
+    if (isWithin(p) || isLoad(p)) return true;
     if (!load) return false;
     const double away = (p - tool).cast<double>().norm();
     const Eigen::Vector3d point = p.cast<double>();
     const double toLoad = (load->box.nearestTo(point) - point).norm();
-    return toLoad == 0.0 || (away <= beyond * size && toLoad <= closeToLoad);
+    return away <= beyond * size && toLoad <= closeToLoad;
   }
 };
 

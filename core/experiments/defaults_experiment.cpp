@@ -39,7 +39,7 @@ constexpr Change changes[] = {
     {"defaults", [](Parameters&) {}, true},
     {"stereo_steepest=0", veilsStay, true},
     {"stereo_smooth=0", disparityAsItIs, true},
-    {"all of these that stereo has",
+    {"all of these but depth_smooth",
      [](Parameters& p) {
        thesisUpdate(p);
        everyPiece(p);
