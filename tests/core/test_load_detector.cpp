@@ -46,6 +46,22 @@ unsigned findable() {
 class TestLoadDetector : public QObject {
   Q_OBJECT
  private slots:
+  // A matcher's rim lies behind the load, and no farther before it than noise puts it.
+  void theVolumeReachesAlongTheLineOfSight() {
+    const OrientedBox load{{0, 0, 5}, {1, 1, 1}, Eigen::Matrix3d::Identity()};
+    const auto depth = dynamicVolume(load, 0.1, 0.001, 0.0);
+    const auto stereo = dynamicVolume(load, 0.1, 0.001, 0.02);
+    const auto behind = [](double inverse) {
+      return Eigen::Vector3d(0, 0, 1 / (1 / 5.6 - inverse));
+    };
+    const auto before = [](double inverse) {
+      return Eigen::Vector3d(0, 0, 1 / (1 / 4.4 + inverse));
+    };
+    QVERIFY(depth.contains(behind(0.0029)) && !depth.contains(behind(0.0031)));
+    QVERIFY(stereo.contains(behind(0.0199)) && !stereo.contains(behind(0.0201)));
+    QVERIFY(stereo.contains(before(0.0029)) && !stereo.contains(before(0.0031)));
+  }
+
   // test_load_poses_slow has the full thousand.
   void logsAreFoundWhereTheyAre() {
     load_scene::Errors errors;
