@@ -32,6 +32,7 @@ QJsonValue toolObject(const ToolTrack& tool) {
       {"velocity", vector(tool.velocity)},
       {"age_s", number(tool.age)},
       {"doubted", tool.isDoubted},
+      {"held", tool.isHeld},
       {"given_up", tool.hasGivenUp},
       {"learning", text(toString(tool.learning))},
   };

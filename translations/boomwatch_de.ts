@@ -1318,6 +1318,10 @@
         <translation>Werkzeug seit %1 nicht gesehen</translation>
     </message>
     <message>
+        <source>: taken to be at the load, which is seen. At %1 it counts as lost.</source>
+        <translation>: am Ort der Last angenommen, die gesehen wird. Nach %1 gilt es als verloren.</translation>
+    </message>
+    <message>
         <source>: taken to go on as it moved. At %1 it counts as lost.</source>
         <translation>: Es gilt, dass es sich weiterbewegt wie zuvor. Nach %1 gilt es als verloren.</translation>
     </message>

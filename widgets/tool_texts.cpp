@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "load/held_tool.h"
 #include "tracking/tool_model.h"
 
 namespace boomwatch {
@@ -59,6 +60,11 @@ QString knownSentence(const ToolTrack& tool, const TrackingParameters& parameter
   }
   const QString what = tool.box ? unlocatedText(tool)
                                 : ToolTexts::tr("Tool not seen for %1").arg(seconds(*tool.age));
+  if (tool.isHeld) {
+    return what +
+           ToolTexts::tr(": taken to be at the load, which is seen. At %1 it counts as lost.")
+               .arg(seconds(HeldTool::longestHold));
+  }
   return what + ToolTexts::tr(": taken to go on as it moved. At %1 it counts as lost.")
                     .arg(seconds(parameters.maxToolAge));
 }

@@ -8,6 +8,7 @@
 #include "environment/crane_boxes.h"
 #include "environment/depth_noise.h"
 #include "frame/error.h"
+#include "load/held_tool.h"
 #include "load/load_detector.h"
 #include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
@@ -72,6 +73,7 @@ struct Pipeline::State {
   ToolTracking tool;
   FrameChecks checks;
   LoadFollower loads;
+  HeldTool held;
   CraneMemory craneMemory;
   Surroundings surroundings;
   LoadMotion motion;
@@ -82,6 +84,7 @@ struct Pipeline::State {
 
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
+  void holdTool(Result& result) const;
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<ViewedBox> findLoad(Result& result);
   StaticScene separate(SegmentedCloud segments, const Result& result);
@@ -197,12 +200,25 @@ std::future<void> Pipeline::State::look(const Result& result) {
                     });
 }
 
+/// Better than the tool's own velocity: what it holds is seen.
+void Pipeline::State::holdTool(Result& result) const {
+  ToolTrack& track = result.tool;
+  if (!track.running() || track.age == 0.0) return;
+  const double stamp = result.frame->stamp;
+  const auto load = loads.expected(stamp, result.parameters.validity.maxLoadAge);
+  const auto point = load ? held.point(*load, stamp) : std::nullopt;
+  if (!point) return;
+  track.point = point;
+  track.isHeld = true;
+}
+
 std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
   const LoadParameters& parameters = result.parameters.load;
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
   const LoadSource source = loadSource(result);
   const bool detected = source == LoadSource::Detected;
   if (detected) {
+    holdTool(result);
     const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
     const LoadDetection detection =
         result.tool.point ? detectLoad(*whole, *result.tool.point, noise, result.parameters.bounds,
@@ -212,8 +228,13 @@ std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
     result.load = followed.box;
     result.loadFault = detection.fault;
     result.loadAge = followed.age;
+    if (!followed.box) held.reset();
+    if (followed.age == 0.0 && result.tool.age == 0.0) {
+      held.learn(*result.tool.point, *followed.box, stamp);
+    }
   } else {
     loads.reset();
+    held.reset();
     result.load = source == LoadSource::Manual ? parameters.box() : result.frame->load;
   }
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.

@@ -18,13 +18,14 @@ struct ToolTrack {
   LearningState learning = LearningState::None;
   std::optional<cv::Point> pixel;  ///< centre of the box, or the operator's click
   /// Camera frame, metres. Of a click: as measured in this frame. Of a tracker: smoothed or, up to
-  /// max_tool_age, carried on with its velocity.
+  /// max_tool_age, carried on with its velocity; or by the load, see isHeld.
   std::optional<Eigen::Vector3f> point;
   std::optional<Eigen::Vector3f> velocity;  ///< metres a second; absent until it is known
   /// Seconds since the point was last measured, 0: in this frame; absent: never.
   std::optional<double> age;
   /// A depth was measured in `box`, but the tool cannot be there: the box may be on something else.
   bool isDoubted = false;
+  bool isHeld = false;      ///< `point` is where the load is that the tool holds (HeldTool)
   bool hasGivenUp = false;  ///< lost, and not looked for any more: the tracker must be begun again
   std::shared_ptr<const ToolModel> model;  ///< what the tracker has learnt, where it learns
   std::string fault;                       ///< English: why what was asked for could not be done

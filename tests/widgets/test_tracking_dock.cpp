@@ -171,6 +171,11 @@ void TestTrackingDock::saysWhatIsDoubtedOrGivenUp() {
   dock.setDisplay(display(tool));
   QVERIFY2(dock.stateText().contains("seen, but for 0.3 s where it cannot be: taken to go on"),
            qPrintable(dock.stateText()));
+  tool.isHeld = true;
+  dock.setDisplay(display(tool));
+  QVERIFY2(dock.stateText().contains("cannot be: taken to be at the load, which is seen. At 4.0 s"),
+           qPrintable(dock.stateText()));
+  tool.isHeld = false;
   tool.point.reset();
   tool.age = 2.0;
   dock.setDisplay(display(tool));
