@@ -38,6 +38,7 @@ struct ClusterShape {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3f box;
   float toTool2 = std::numeric_limits<float>::infinity();  ///< nearest point to the tool, squared
+  float farthest2 = 0.0F;                                  ///< from the tool, squared
   bool hangsAtTool = true;                                 ///< every point; see HangsAtTool
   int points = 0;
   int known = 0;  ///< where the crane was a moment ago
@@ -48,6 +49,7 @@ struct ClusterShape {
     box.extend(p);
     const float squared = (p - tool).squaredNorm();
     toTool2 = std::min(toTool2, squared);
+    farthest2 = std::max(farthest2, squared);
     hangsAtTool = hangsAtTool && hangs(p);
     spread.add(p);
     ++points;
@@ -80,8 +82,9 @@ void addBoomBeyond(CraneMask& mask, const std::vector<ClusterShape>& shapes, con
                    const Clusters& clusters, const Cloud& cloud, const HangsAtTool& tool) {
   std::vector<std::optional<Points>> pieces(shapes.size());  // those that may be a part
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    const bool open = mask.parts[k] == CranePart::None || mask.parts[k] == CranePart::Remembered;
-    if (open && shapes[k].points > 0 && shapes[k].spread.mayBeStraight()) pieces[k].emplace();
+    if (mask.parts[k] != CranePart::Tool && shapes[k].points > 0 &&
+        shapes[k].spread.mayBeStraight())
+      pieces[k].emplace();
   }
   if (std::ranges::none_of(pieces, [](const auto& piece) { return piece.has_value(); })) return;
   Points seen;
@@ -116,8 +119,9 @@ std::string_view nameOf(ToolMask mask) {
 
 CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud& cloud,
                     const Vector3f& tool, const std::optional<ViewedBox>& load,
-                    const Parameters& parameters, const CraneMemory& memory) {
+                    const Parameters& parameters, const CraneMemory& memory, bool unseenLoad) {
   constexpr double mostly = 0.6;
+  const double loadReach = unseenLoad ? parameters.load.maxSize / 2.0 : 0.0;
   const HangsAtTool hangs{tool, parameters.load.toolSize, load};
   std::vector<ClusterShape> shapes(clusters.sizes.size());
   CraneMask mask{ToolMask::NothingThere, std::nullopt,
@@ -144,6 +148,8 @@ CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud&
       mask.parts[k] = CranePart::Tool;
     } else if (shape.points > 0 && shape.known > shape.points * mostly) {
       mask.parts[k] = CranePart::Remembered;
+    } else if (shape.points > 0 && shape.farthest2 < loadReach * loadReach) {
+      mask.parts[k] = CranePart::MaybeLoad;
     }
   }
   // Flattened, a boom has no direction.

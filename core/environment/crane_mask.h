@@ -30,6 +30,7 @@ enum class CranePart {
   Tool,        ///< what is found at the tool: tool, boom and load as far as they hang together
   Boom,        ///< a part of the boom that does not hang together with the tool; see BoomBeyond
   Remembered,  ///< was one of the others a moment ago
+  MaybeLoad,   ///< is so near to the tool that it can be a load that was not found
 };
 
 /// Which clusters are the crane.
@@ -47,8 +48,11 @@ struct CraneMask {
 /// be nearer. Clusters go with it that lie wholly within half of load_tool_size of the tool point,
 /// or within somewhat more than all of it and close to the load, and those that lie mostly where
 /// `memory` has the crane. Clusters below cluster_minimum are no part of anything. Pure.
+///
+/// `unseenLoad`: there may be a load that was not found, as one that points at the camera is not.
+/// Whatever lies wholly within half of load_max_size of the tool may then be a part of it.
 CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud& cloud,
                     const Eigen::Vector3f& tool, const std::optional<ViewedBox>& load,
-                    const Parameters& parameters, const CraneMemory& memory);
+                    const Parameters& parameters, const CraneMemory& memory, bool unseenLoad);
 
 }  // namespace boomwatch

@@ -70,7 +70,7 @@ SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters) {
 StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
                            const std::optional<Vector3f>& tool,
                            const std::optional<ViewedBox>& load, const Parameters& parameters,
-                           const CraneMemory& memory) {
+                           const CraneMemory& memory, bool unseenLoad) {
   Points& points = segments.points;
   Clusters& clusters = segments.clusters;
   StaticScene scene;
@@ -79,13 +79,13 @@ StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
   CraneMask crane;
   if (tool) {
     const Vector3f at = reprojected(*tool, parameters.filter);
-    crane = craneMask(points, clusters, cloud, at, load, parameters, memory);
+    crane = craneMask(points, clusters, cloud, at, load, parameters, memory, unseenLoad);
     if (crane.state == ToolMask::TooLarge && load) {
       // The load is at the ground or the like, and the tool hangs together with it by the load
       // only.
       takeOut(*load, points, scene.removed);
       clusters = clustersOf(points, parameters);
-      crane = craneMask(points, clusters, cloud, at, load, parameters, memory);
+      crane = craneMask(points, clusters, cloud, at, load, parameters, memory, unseenLoad);
     }
   }
   scene.toolMask = crane.state;
@@ -102,6 +102,7 @@ StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
     const CranePart part = crane.parts[label];
     if (part == CranePart::Tool && !isLoad) scene.toolCluster.push_back(points[i]);
     if (part == CranePart::Boom && !isLoad) scene.boomCut.push_back(points[i]);
+    scene.maybeLoad += part == CranePart::MaybeLoad ? 1 : 0;
     const bool dynamic =
         part != CranePart::None || (scene.toolBox && scene.toolBox->contains(p)) || isLoad;
     (dynamic ? scene.removed : scene.statics).push_back(points[i]);

@@ -21,6 +21,7 @@ struct StaticScene {
   ToolMask toolMask = ToolMask::NoToolPoint;
   Points toolCluster;  ///< downsampled; of `removed` those that are the tool's now, not the load's
   Points boomCut;      ///< of `removed`: parts of the boom beyond an elbow out of the picture
+  std::size_t maybeLoad = 0;  ///< of `removed`: how many may as well be surroundings
   /// Points dropped by the low-pass, or with clusters that are too small: not believed, but no
   /// evidence that nothing is there.
   Points noise;
@@ -45,18 +46,21 @@ SegmentedCloud segmentCloud(const Cloud& cloud, const Parameters& parameters);
 /// the load's box) goes. `segments` are those of `cloud` with the same parameters. Pure.
 ///
 /// Which clusters are the crane: see craneMask. Where its cluster is too large, it is looked for
-/// once more among the points that are not the load's. Without a load nothing is taken for it. With
-/// z-reprojection the tool point moves as the points do; the load's box stays where it is.
+/// once more among the points that are not the load's. Without a load nothing is taken for it,
+/// unless there may be an `unseenLoad`. With z-reprojection the tool point moves as the points do;
+/// the load's box stays where it is.
 StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
                            const std::optional<Eigen::Vector3f>& tool,
                            const std::optional<ViewedBox>& load, const Parameters& parameters,
-                           const CraneMemory& memory = {});
+                           const CraneMemory& memory = {}, bool unseenLoad = false);
 
 /// Both.
 inline StaticScene separateStatic(const Cloud& cloud, const std::optional<Eigen::Vector3f>& tool,
                                   const std::optional<ViewedBox>& load,
-                                  const Parameters& parameters, const CraneMemory& memory = {}) {
-  return separateStatic(segmentCloud(cloud, parameters), cloud, tool, load, parameters, memory);
+                                  const Parameters& parameters, const CraneMemory& memory = {},
+                                  bool unseenLoad = false) {
+  return separateStatic(segmentCloud(cloud, parameters), cloud, tool, load, parameters, memory,
+                        unseenLoad);
 }
 
 }  // namespace boomwatch

@@ -79,8 +79,9 @@ struct Pipeline::State {
   LoadMotion motion;
   WarningMemory warning;
   std::optional<double> unmaskedSince;  ///< stamp from which the crane was not told from the scene
-  std::shared_ptr<const Cloud> whole;   ///< of this frame; with the rims of tool and load
-  double depthPerPixel = 0.0;           ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
+  int untaught = 0;  ///< frames until the model may know what could have been the load
+  std::shared_ptr<const Cloud> whole;  ///< of this frame; with the rims of tool and load
+  double depthPerPixel = 0.0;          ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
 
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
@@ -89,6 +90,7 @@ struct Pipeline::State {
   std::optional<ViewedBox> findLoad(Result& result);
   StaticScene separate(SegmentedCloud segments, const Result& result);
   bool isEvidence(const Result& result, Reason frameFault);
+  void countWithheld(const Result& result);
   Reason whyNothing(const Result& result, Reason frameFault) const;
   void judge(Result& result, Reason frameFault) const;
   Watched watchLoad(const Result& result) const;
@@ -143,6 +145,7 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   if (verdict.modelIsStale) state.surroundings.forget();
   if (state.isEvidence(result, verdict.reason)) {
     result.modelRebuilt = state.surroundings.learn(*result.cloud, result.scene, parameters);
+    state.countWithheld(result);
   }
   clock.lap("model");
 
@@ -245,8 +248,12 @@ std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
 
 StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& result) {
   craneMemory.forgetBefore(result.frame->stamp);
+  // Where tool or boom are watched, too, what is near them must not be missing from the model.
+  const WatchParameters& watch = result.parameters.watch;
+  const bool unseenLoad =
+      !result.load && loadSource(result) == LoadSource::Detected && !watch.tool && !watch.boom;
   StaticScene scene = separateStatic(std::move(segments), *result.cloud, result.tool.point,
-                                     result.loadVolume, result.parameters, craneMemory);
+                                     result.loadVolume, result.parameters, craneMemory, unseenLoad);
   craneMemory.note(result.frame->stamp, scene.toolCluster);
   craneMemory.note(result.frame->stamp, scene.boomCut);
   return scene;
@@ -272,6 +279,16 @@ bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   return frameFault == Reason::None && !result.tool.lost() && !unmasked;
 }
 
+/// What may have been a load did not teach the model. When a load is found after all, the rest of
+/// that is surroundings, which are not known before they had the time to enter.
+void Pipeline::State::countWithheld(const Result& result) {
+  if (result.scene.maybeLoad > 0) {
+    untaught = framesToEnter(result.parameters.model).value_or(0);
+  } else if (untaught > 0) {
+    --untaught;
+  }
+}
+
 /// The links of the chain that come before any distance, in the order in which they can fail.
 Reason Pipeline::State::whyNothing(const Result& result, Reason frameFault) const {
   if (frameFault != Reason::None) return frameFault;
@@ -292,7 +309,8 @@ void Pipeline::State::judge(Result& result, Reason frameFault) const {
 }
 
 Watched Pipeline::State::watchLoad(const Result& result) const {
-  const Reason fault = loadReason(result);
+  Reason fault = loadReason(result);
+  if (fault == Reason::None && untaught > 0) fault = Reason::NoModel;
   const Clearance clearance = fault == Reason::None
                                   ? surroundings.around(*result.load, result.parameters)
                                   : Clearance::unknown(fault);

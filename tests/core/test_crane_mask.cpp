@@ -156,6 +156,29 @@ class TestCraneMask : public QObject {
     QCOMPARE(nearerThan(known.statics, 6.0F), std::size_t{0});
     QVERIFY(nearerThan(known.statics, 9.0F) > 1000);
   }
+
+  /// The far end of a log that points at the camera is seen apart from the tool. As long as no load
+  /// is found, that is no obstacle to be learnt, nor is it the crane.
+  void whatMayBeALoadThatWasNotFoundIsTakenOut() {
+    const Part piece = beam({0.9, 0.0, 5.4}, {1.1, 0.0, 5.6}, 0.3, 0.3);
+    const Parts parts{jib, wall, piece};
+    const auto atPiece = [](const Points& points) {
+      return std::ranges::count_if(points,
+                                   [](const Vector3f& p) { return p.x() > 0.7F && p.z() < 6.0F; });
+    };
+    const StaticScene none = separateStatic(seen(parts), tool, {}, {});
+    QVERIFY(atPiece(none.statics) > 10);
+    QCOMPARE(none.maybeLoad, std::size_t{0});
+    const StaticScene maybe = separateStatic(seen(parts), tool, {}, {}, {}, true);
+    QCOMPARE(atPiece(maybe.statics), 0);
+    QCOMPARE(maybe.maybeLoad, static_cast<std::size_t>(atPiece(maybe.removed)));
+    QCOMPARE(atPiece(maybe.toolCluster), 0);
+    QCOMPARE(nearerThan(maybe.statics, 9.0F), nearerThan(none.statics, 9.0F) - maybe.maybeLoad);
+
+    Parameters small;
+    small.load.maxSize = 1.6;  // it lies 1.1 to 1.4 m from the tool
+    QVERIFY(atPiece(separateStatic(seen(parts), tool, {}, small, {}, true).statics) > 10);
+  }
 };
 
 QTEST_GUILESS_MAIN(TestCraneMask)
