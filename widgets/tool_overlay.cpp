@@ -21,11 +21,14 @@ QRectF mapped(const QRectF& box, const ToWidget& toWidget) {
   return {toWidget(box.topLeft() - half), toWidget(box.bottomRight() - half)};
 }
 
-/// On a ground of its own, above `box` or, where that is outside the picture, inside it.
+/// On a ground of its own, above `box` or, where that is outside the picture, inside it; in several
+/// lines where the picture is too narrow for one.
 void drawLabel(QPainter& painter, const QRectF& box, const QString& text, const Theme& theme) {
-  const QFontMetricsF metrics(painter.font());
-  QRectF area(box.left(), box.top(), metrics.horizontalAdvance(text) + 8.0, metrics.height() + 2.0);
+  constexpr int flags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
   const QRectF picture = painter.clipBoundingRect();
+  const QSizeF room(picture.width() - 12.0, picture.height());
+  const QRectF words = QFontMetricsF(painter.font()).boundingRect({{}, room}, flags, text);
+  QRectF area(box.left(), box.top(), words.width() + 8.0, words.height() + 2.0);
   area.moveBottom(box.top() - 2.0);
   if (area.top() < picture.top()) area.moveTop(box.top() + 2.0);
   if (area.right() > picture.right()) area.moveRight(picture.right());
@@ -34,7 +37,7 @@ void drawLabel(QPainter& painter, const QRectF& box, const QString& text, const 
   ground.setAlpha(200);
   painter.fillRect(area, ground);
   painter.setPen(theme.canvasText);
-  painter.drawText(area, Qt::AlignCenter, text);
+  painter.drawText(area.adjusted(4.0, 0.0, 0.0, 0.0), flags, text);
 }
 
 enum class Line { Solid, Broken };
