@@ -83,8 +83,9 @@ void addBoomBeyond(CraneMask& mask, const std::vector<ClusterShape>& shapes, con
   std::vector<std::optional<Points>> pieces(shapes.size());  // those that may be a part
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     if (mask.parts[k] != CranePart::Tool && shapes[k].points > 0 &&
-        shapes[k].spread.mayBeStraight())
+        shapes[k].spread.mayBeStraight()) {
       pieces[k].emplace();
+    }
   }
   if (std::ranges::none_of(pieces, [](const auto& piece) { return piece.has_value(); })) return;
   Points seen;

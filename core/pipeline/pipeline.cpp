@@ -93,6 +93,7 @@ struct Pipeline::State {
   void countWithheld(const Result& result);
   Reason whyNothing(const Result& result, Reason frameFault) const;
   void judge(Result& result, Reason frameFault) const;
+  Clearance around(const OrientedBox& box, const Parameters& parameters) const;
   Watched watchLoad(const Result& result) const;
   void watchCrane(Result& result) const;
   std::optional<double> depthUncertainty(const Clearance& clearance) const;
@@ -279,8 +280,9 @@ bool Pipeline::State::isEvidence(const Result& result, Reason frameFault) {
   return frameFault == Reason::None && !result.tool.lost() && !unmasked;
 }
 
-/// What may have been a load did not teach the model. When a load is found after all, the rest of
-/// that is surroundings, which are not known before they had the time to enter.
+/// What may have been a load did not teach the model. When a load is found after all, or the tool
+/// is watched from now on, the rest of that is surroundings, which are not known before they had
+/// the time to enter.
 void Pipeline::State::countWithheld(const Result& result) {
   if (result.scene.maybeLoad > 0) {
     untaught = framesToEnter(result.parameters.model).value_or(0);
@@ -308,12 +310,14 @@ void Pipeline::State::judge(Result& result, Reason frameFault) const {
   result.clearance = result.watched[result.leading].clearance;
 }
 
+Clearance Pipeline::State::around(const OrientedBox& box, const Parameters& parameters) const {
+  return untaught > 0 ? Clearance::unknown(Reason::NoModel) : surroundings.around(box, parameters);
+}
+
 Watched Pipeline::State::watchLoad(const Result& result) const {
-  Reason fault = loadReason(result);
-  if (fault == Reason::None && untaught > 0) fault = Reason::NoModel;
-  const Clearance clearance = fault == Reason::None
-                                  ? surroundings.around(*result.load, result.parameters)
-                                  : Clearance::unknown(fault);
+  const Reason fault = loadReason(result);
+  const Clearance clearance =
+      fault == Reason::None ? around(*result.load, result.parameters) : Clearance::unknown(fault);
   return {WatchedObject::Load, 0, result.load, clearance};
 }
 
@@ -328,8 +332,8 @@ void Pipeline::State::watchCrane(Result& result) const {
     crane.boom.insert(crane.boom.end(), cut.begin(), cut.end());
   }
   const auto add = [&](WatchedObject object, int segment, const std::optional<OrientedBox>& box) {
-    const Clearance clearance = box ? surroundings.around(*box, result.parameters)
-                                    : Clearance::unknown(Reason::ToolNotSeen);
+    const Clearance clearance =
+        box ? around(*box, result.parameters) : Clearance::unknown(Reason::ToolNotSeen);
     result.watched.push_back({object, segment, box, clearance});
   };
   if (watch.tool) add(WatchedObject::Tool, 0, crane.tool);

@@ -60,13 +60,19 @@ class TestUnseenLoad : public QObject {
     parameters.load.source = LoadSource::Detected;
     parameters.load.dimensions = LoadDimensions::Locked;
     parameters.load.sizeX = 4.5;
-    for (const bool watched : {false, true}) {
+    const int before = 6, learning = *framesToEnter(parameters.model);
+    for (int k = 0; k < before + learning; ++k) {
+      const bool watched = k >= before;
       const FramePtr frame = source->next({}).frame;
       tool.set(toolBoxIn(*frame, 0.25));
       parameters.watch.tool = watched;
       const Result result = pipeline.process(frame, parameters);
       QVERIFY(!result.load);
       QCOMPARE(result.scene.maybeLoad > 0, !watched);
+      if (!watched) continue;
+      // Nor is it clear around the tool before the model knows what was withheld.
+      const bool known = k == before + learning - 1;
+      QCOMPARE(result.watched.back().clearance.reason == Reason::NoModel, !known);
     }
   }
 };
