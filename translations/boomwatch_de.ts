@@ -210,6 +210,14 @@
         <translation>Seitenlänge einer Zelle des Umgebungsmodells (R)</translation>
     </message>
     <message>
+        <source>Cell depth</source>
+        <translation>Zellentiefe</translation>
+    </message>
+    <message>
+        <source>nearest: that of the nearest point in a cell (Eq. 10), up to half a cell too near where a surface is seen at an angle; surface: the mean of the surface there</source>
+        <translation>nearest: die des nächsten Punktes einer Zelle (Gl. 10), bis zu einer halben Zelle zu nah, wo eine Fläche schräg gesehen wird; surface: das Mittel der Fläche dort</translation>
+    </message>
+    <message>
         <source>probtresh</source>
         <translation>probtresh</translation>
     </message>

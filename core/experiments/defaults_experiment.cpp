@@ -18,6 +18,7 @@ struct Change {
 };
 
 void thesisUpdate(Parameters& p) { p.model.update = ModelUpdate::Thesis; }
+void nearestPoint(Parameters& p) { p.model.cellDepth = CellDepth::Nearest; }
 void everyPiece(Parameters& p) { p.clearance.smallestThing = p.clearance.doubtfulThing = 0.0; }
 void anyPieceAtOnce(Parameters& p) { p.clearance.doubtfulThing = 0.0; }
 void depthAsItIs(Parameters& p) { p.filter.depthSmooth = 0; }
@@ -27,21 +28,25 @@ void disparityAsItIs(Parameters& p) { p.stereo.smooth = 0; }
 constexpr Change changes[] = {
     {"defaults", [](Parameters&) {}},
     {"model_update=thesis", thesisUpdate},
+    {"cell_depth=nearest", nearestPoint},
     {"doubtful_thing=0", anyPieceAtOnce},
     {"doubtful_thing=0, smallest_thing=0", everyPiece},
     {"depth_smooth=0", depthAsItIs},
     {"all of these: the thesis's",
      [](Parameters& p) {
        thesisUpdate(p);
+       nearestPoint(p);
        everyPiece(p);
        depthAsItIs(p);
      }},
     {"defaults", [](Parameters&) {}, true},
+    {"cell_depth=nearest", nearestPoint, true},
     {"stereo_steepest=0", veilsStay, true},
     {"stereo_smooth=0", disparityAsItIs, true},
     {"all of these but depth_smooth",
      [](Parameters& p) {
        thesisUpdate(p);
+       nearestPoint(p);
        everyPiece(p);
        veilsStay(p);
        disparityAsItIs(p);

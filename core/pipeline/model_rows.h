@@ -36,6 +36,13 @@ inline constexpr auto modelRows = std::to_array<ParameterInfo>({
          TR("parallel: columns along z (the thesis's); perspective: image rays, no gap behind near "
             "things; there a cell is resolution wide at half of z_max")},
         {}, projectionNames),
+    row<&P::model, &M::cellDepth>(
+        "cell_depth",
+        {TR("Model"), TR("Cell depth"),
+         TR("nearest: that of the nearest point in a cell (Eq. 10), up to half a cell too near "
+            "where "
+            "a surface is seen at an angle; surface: the mean of the surface there")},
+        {}, cellDepthNames),
     row<&P::model, &M::probtresh>("probtresh",
                                   {TR("Model"), TR("probtresh"),
                                    TR("A cell must be more probable than this to count (P_limit)")},

@@ -16,6 +16,8 @@ enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
+/// Where a cell has its surface: at the nearest point (the thesis's), or see CellSurfaces.
+enum class CellDepth { Nearest, Surface };
 /// What is done about space that was never seen; see ClearanceParameters.
 enum class UnknownSpace { Ignore, Show, Solid };
 /// Auto: detected where a tool is followed, else what the scene knows.
@@ -77,6 +79,7 @@ struct ModelParameters {
   double logOddsHigh = 0.97;    ///< log-odds: the most that hits lead to
   int memoryLimit = 1024;       ///< megabytes the model may take
   ModelProjection projection = ModelProjection::Parallel;  ///< see GridGeometry
+  CellDepth cellDepth = CellDepth::Surface;
 };
 
 /// The search for the nearest thing (method.md section 7).

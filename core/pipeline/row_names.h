@@ -27,6 +27,7 @@ inline constexpr std::array<std::string_view, 2> lowPassNames{"statistical", "ra
 inline constexpr std::array<std::string_view, 2> methodNames{"exact", "rays"};
 inline constexpr std::array<std::string_view, 3> updateNames{"thesis", "hysteresis", "log_odds"};
 inline constexpr std::array<std::string_view, 2> projectionNames{"parallel", "perspective"};
+inline constexpr std::array<std::string_view, 2> cellDepthNames{"nearest", "surface"};
 inline constexpr std::array<std::string_view, 3> unknownNames{"ignore", "show", "solid"};
 inline constexpr std::array<std::string_view, 5> trackerNames{"manual", "tld", "cmt", "klt",
                                                               "csrt"};

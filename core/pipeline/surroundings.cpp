@@ -34,7 +34,9 @@ bool Surroundings::learn(const Cloud& cloud, const StaticScene& scene,
   const bool anew = !m_exists || !(m_model.geometry() == geometry);
   if (anew) m_model = EnvironmentModel(geometry);
   m_exists = true;
-  m_evidence = scene.statics;
+  m_evidence = parameters.model.cellDepth == CellDepth::Surface
+                   ? m_surfaces.of(scene.statics, geometry)
+                   : scene.statics;
   m_evidence.insert(m_evidence.end(), scene.beyond.begin(), scene.beyond.end());
   // Noise is not believed, but neither does it show that nothing is there.
   m_hidden = scene.removed;

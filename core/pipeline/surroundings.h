@@ -5,6 +5,7 @@
 
 #include "collision/exact_clearance.h"
 #include "collision/observed_share.h"
+#include "environment/cell_surfaces.h"
 #include "environment/environment_model.h"
 #include "environment/pieces.h"
 #include "environment/static_scene.h"
@@ -43,6 +44,7 @@ class Surroundings {
                         const Parameters& parameters) const;
   std::vector<std::size_t> hiddenAndUnseen() const;
 
+  CellSurfaces m_surfaces;
   EnvironmentModel m_model;
   bool m_exists = false;
   Pieces m_pieces;

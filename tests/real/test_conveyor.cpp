@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "conveyor.h"
+#include "environment/cell_surfaces.h"
 #include "real_data.h"
 #include "sequence.h"
 #include "tracking/tracker.h"
@@ -92,17 +93,20 @@ class BoxWatch {
   std::vector<std::size_t> boxCells(const Cloud& cloud, const cv::Mat& mask,
                                     const EnvironmentModel& model) const {
     const GridGeometry& grid = model.geometry();
-    std::vector<std::size_t> cells;
+    Points measured;
     for (int row = 0; row < mask.rows; ++row) {
       for (int column = 0; column < mask.cols; ++column) {
         const Eigen::Vector3f& p = cloud.at(column, row);
         if (mask.at<std::uint8_t>(row, column) == 0 || !grid.bounds().contains(p)) continue;
-        const std::size_t k = grid.index(grid.columnOf(p.x()), grid.rowOf(p.y()));
-        if (k < m_emptyLevels.size() && isNearer(grid.levelOf(p.z()), k, grid)) cells.push_back(k);
+        measured.push_back(p);
       }
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    std::vector<std::size_t> cells;
+    // Where the model has them: at the middle of what is seen of a cell.
+    for (const Eigen::Vector3f& p : CellSurfaces().of(measured, grid)) {
+      const std::size_t k = grid.index(grid.columnOf(p.x()), grid.rowOf(p.y()));
+      if (k < m_emptyLevels.size() && isNearer(grid.levelOf(p.z()), k, grid)) cells.push_back(k);
+    }
     return cells;
   }
 

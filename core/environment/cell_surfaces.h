@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "environment/grid.h"
+#include "frame/cloud.h"
+
+namespace boomwatch {
+
+/// What a frame shows of the cells of a model: a point each, at the depth of the surface there.
+///
+/// A surface that is seen at an angle is nearer at one edge of a cell than in its middle, where the
+/// model has it. By its nearest point alone (Eq. 10) it stands up to half a cell before where it
+/// is. The mean of what lies within two cells of depth behind the nearest point does not. It is at
+/// most one cell behind the nearest point, whatever the cell holds: what stands right before
+/// something else is not lost.
+///
+/// Keeps its memory, 12 bytes a cell, between the frames. Not thread-safe.
+class CellSurfaces {
+ public:
+  /// `points`: finite, inside the bounds; camera frame. In order of first appearance; a point
+  /// outside the grid is left out.
+  Points of(std::span<const Eigen::Vector3f> points, const GridGeometry& geometry);
+
+ private:
+  /// What is seen of a cell; metres.
+  struct Seen {
+    float nearest = 0.0F;     ///< depth
+    float behind = 0.0F;      ///< sum over the points of the surface of what they lie behind that
+    std::uint32_t count = 0;  ///< of these points
+  };
+  std::vector<Seen> m_cells;            ///< count 0 between the frames
+  std::vector<std::uint32_t> m_cellOf;  ///< of every point
+};
+
+}  // namespace boomwatch
