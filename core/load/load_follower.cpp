@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 constexpr double positionGain = 0.5, velocityGain = 0.15, spinGain = 0.05;
 constexpr int jumpsToBelieve = 3;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Farther than a swinging load and the noise of its pose can take it from where it was expected.
+bool isTooFar(double metres, double passed) {
+  constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
+  return metres > nearby + speed * passed;
 }
 
 /// Axis times radians: turned() by it, `from` becomes `to`.
@@ -81,7 +81,7 @@ LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, doub
       m_pose->stamp = stamp;
     }
     if (isSeen) m_pose->tool = tool;
-    if (isSeen && (detection.isWhole || m_learnt.empty())) learn(seen.size, stamp, parameters);
+    if (isSeen && (detection.isWhole || m_learnt[0].empty())) learn(seen.size, stamp, parameters);
   }
   if (!m_pose) return {};
   const double age = stamp - m_pose->stamp;
@@ -96,12 +96,10 @@ std::optional<OrientedBox> LoadFollower::expected(
   return boxAt(stamp - m_pose->stamp, tool);
 }
 
-/// Farther than a swinging load and the noise of its pose can take it.
 bool LoadFollower::jumps(const OrientedBox& seen, const OrientedBox& expected,
                          double passed) const {
-  constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
   constexpr double turn = 0.35, turnSpeed = 2.0;
-  return (seen.centre - expected.centre).norm() > nearby + speed * passed ||
+  return isTooFar((seen.centre - expected.centre).norm(), passed) ||
          turnBetween(expected.rotation, seen.rotation).norm() > turn + turnSpeed * passed;
 }
 
@@ -122,32 +120,35 @@ void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected,
   pose.spin += spinGain / passed * turn;
 }
 
-/// While learning, the median so far; then the one that was learnt.
 void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameters& parameters) {
   if (parameters.dimensions == LoadDimensions::Locked) {
     m_size = size;
-    m_learnt.clear();
+    m_learnt = {};
     m_learningSince = stamp;
     return;
   }
-  if (!m_learnt.empty() && stamp - m_learningSince > parameters.learnTime) return;
-  m_learnt.push_back(size);
+  const bool isLearning = m_learnt[0].empty() || stamp - m_learningSince <= parameters.learnTime;
+  const Vector3d sight = m_pose->box.centre.normalized();
   for (int i = 0; i < 3; ++i) {
-    std::vector<double> values;
-    for (const Vector3d& s : m_learnt) values.push_back(s[i]);
-    m_size[i] = median(values);
+    LearntLength& learnt = m_learnt[static_cast<std::size_t>(i)];
+    learnt.learn(size[i], m_pose->box.rotation.col(i).cross(sight).norm(), isLearning);
+    m_size[i] = learnt.value();
   }
+  // A log is as deep as it is wide, of which the width is seen.
+  if (size.y() == size.z()) m_size.z() = m_size.y();
 }
 
 OrientedBox LoadFollower::boxAt(double passed, const std::optional<Eigen::Vector3f>& tool) const {
   // Seconds for which it surely moves on; then the tool says more, and nothing how it turns.
   constexpr double soon = 0.12, turning = 0.25;
   OrientedBox box = m_pose->box;
+  Vector3d way = m_pose->velocity * passed;
   if (passed > soon && tool && m_pose->tool) {
-    box.centre += (*tool - *m_pose->tool).cast<double>();
-  } else {
-    box.centre += m_pose->velocity * passed;
+    const Vector3d ofTool = (*tool - *m_pose->tool).cast<double>();
+    // What leaps is something else that the tracker takes for the tool.
+    if (!isTooFar((ofTool - way).norm(), passed)) way = ofTool;
   }
+  box.centre += way;
   box.rotation = turned(box.rotation, m_pose->spin * std::min(passed, turning));
   box.size = m_size;
   return box;

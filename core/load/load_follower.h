@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <array>
 
+#include "load/learnt_length.h"
 #include "load/load_detection.h"
 #include "pipeline/parameters.h"
 
@@ -46,7 +47,7 @@ class LoadFollower {
   std::optional<Pose> m_pose;
   int m_jumps = 0;  ///< frames in a row that show it elsewhere
   double m_learningSince = 0.0;
-  std::vector<Eigen::Vector3d> m_learnt;
+  std::array<LearntLength, 3> m_learnt;  ///< of the box's own axes
   Eigen::Vector3d m_size = Eigen::Vector3d::Zero();
 };
 

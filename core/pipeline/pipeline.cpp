@@ -85,6 +85,7 @@ struct Pipeline::State {
 
   bool sense(Result& result, std::future<void>& looking);
   std::future<void> look(const Result& result);
+  std::optional<Eigen::Vector3f> toolByLoad(const Result& result) const;
   void holdTool(Result& result) const;
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<ViewedBox> findLoad(Result& result);
@@ -129,7 +130,8 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   SegmentedCloud segments = segmentCloud(*result.cloud, parameters);
   clock.lap("filter");
   if (looking.valid()) looking.get();
-  result.tool = state.tool.locate(*state.whole, frame->stamp, parameters.tracking);
+  result.tool =
+      state.tool.locate(*state.whole, frame->stamp, parameters.tracking, state.toolByLoad(result));
   clock.lap("tool");
 
   result.loadVolume = state.findLoad(result);
@@ -204,13 +206,18 @@ std::future<void> Pipeline::State::look(const Result& result) {
                     });
 }
 
+/// Where the tool is by the load, as far as that was seen a moment ago.
+std::optional<Eigen::Vector3f> Pipeline::State::toolByLoad(const Result& result) const {
+  const double stamp = result.frame->stamp;
+  const auto load = loads.expected(stamp, result.parameters.validity.maxLoadAge);
+  return load ? held.point(*load, stamp) : std::nullopt;
+}
+
 /// Better than the tool's own velocity: what it holds is seen.
 void Pipeline::State::holdTool(Result& result) const {
   ToolTrack& track = result.tool;
   if (!track.running() || track.age == 0.0) return;
-  const double stamp = result.frame->stamp;
-  const auto load = loads.expected(stamp, result.parameters.validity.maxLoadAge);
-  const auto point = load ? held.point(*load, stamp) : std::nullopt;
+  const auto point = toolByLoad(result);
   if (!point) return;
   track.point = point;
   track.isHeld = true;

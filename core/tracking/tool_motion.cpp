@@ -14,17 +14,20 @@ constexpr int agreedForCertainty = 10;
 constexpr double longestContradiction = 3.0;  // seconds
 /// Metres: it may be another part of the tool that is measured now.
 constexpr double toolExtent = 1.0;
+/// Metres by which a point of the tool may lie beside where its load says it is.
+constexpr double besideHeld = 0.4;
 
 }  // namespace
 
 void ToolMotion::update(double stamp, const std::optional<Eigen::Vector3f>& measured,
-                        const TrackingParameters& parameters) {
+                        const TrackingParameters& parameters,
+                        const std::optional<Eigen::Vector3f>& held) {
   if (m_stamp && stamp < *m_stamp) reset();
   if (m_known) predict(stamp - *m_stamp, parameters.acceleration);
   m_stamp = stamp;
   if (m_known && *age() > parameters.maxToolAge) m_known = false;
   m_isContradicted = false;
-  m_isBelieved = measured && isAccepted(measured->cast<double>(), parameters);
+  m_isBelieved = measured && isAccepted(measured->cast<double>(), parameters, held);
   if (!m_isBelieved) return;
   m_believed = m_point;
   m_seenAt = stamp;
@@ -32,13 +35,21 @@ void ToolMotion::update(double stamp, const std::optional<Eigen::Vector3f>& meas
   m_outliers = 0;
 }
 
-bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters) {
+bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters,
+                            const std::optional<Eigen::Vector3f>& held) {
   const double noise = parameters.noise;
-  if (m_known && isInReach(measured, parameters) && believe(measured, noise)) return true;
+  const bool isApart = held && (measured - held->cast<double>()).norm() > besideHeld;
+  // What moves on from where it was may have let go of the load; what has leapt has not.
+  const bool leaps = isApart && m_outliers > 0;
+  if (m_known && !leaps && isInReach(measured, parameters) && believe(measured, noise)) return true;
   noteOutlier(measured, noise);
   const bool inReach = isInReach(measured, parameters);
   const bool insists = m_outliers >= agreeingOutliers;
   if (!insists && (m_known || !inReach)) return false;
+  if (isApart) {
+    m_isContradicted = insists;
+    return false;
+  }
   if (!inReach && *m_stamp - m_outliersSince < longestContradiction) {
     m_isContradicted = !m_known;
     return false;

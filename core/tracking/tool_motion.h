@@ -16,15 +16,18 @@ class ToolMotion {
  public:
   /// One frame on: to `stamp`, seconds on the source's clock, with the point measured there.
   /// Beyond maxToolAge without one that is believed, point and velocity are not known; when the
-  /// clock went backwards, everything is forgotten.
+  /// clock went backwards, everything is forgotten. `held`: where the tool is by a load that is
+  /// seen in it; a measurement that leaps away from that is contradicted.
   void update(double stamp, const std::optional<Eigen::Vector3f>& measured,
-              const TrackingParameters& parameters);
+              const TrackingParameters& parameters,
+              const std::optional<Eigen::Vector3f>& held = {});
   void reset() { *this = ToolMotion(); }
 
   /// Whether the last measurement was believed.
   bool believed() const { return m_isBelieved; }
   /// Whether it is maxToolAge since one was, and the last ones insist on a place that the tool
-  /// cannot have reached: most likely, whoever measured them follows something else.
+  /// cannot have reached, or on one apart from the load that it holds: most likely, whoever
+  /// measured them follows something else.
   bool contradicted() const { return m_isContradicted; }
 
   /// Where the tool is at the last stamp: smoothed, or carried on with its velocity as long as the
@@ -42,7 +45,8 @@ class ToolMotion {
   bool agreesWithOutlier(const Eigen::Vector3d& measured, double noise) const;
   void noteOutlier(const Eigen::Vector3d& measured, double noise);
   bool isInReach(const Eigen::Vector3d& place, const TrackingParameters& parameters) const;
-  bool isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters);
+  bool isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters,
+                  const std::optional<Eigen::Vector3f>& held);
 
   bool m_known = false;  ///< point and velocity hold
   Eigen::Vector3d m_point = Eigen::Vector3d::Zero();

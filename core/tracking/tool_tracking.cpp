@@ -141,7 +141,8 @@ void ToolTracking::reject() {
 }
 
 ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
-                               const TrackingParameters& parameters) {
+                               const TrackingParameters& parameters,
+                               const std::optional<Eigen::Vector3f>& held) {
   ToolTrack tool;
   tool.fault = m_fault;
   if (!m_wanted) {
@@ -152,7 +153,7 @@ ToolTrack ToolTracking::locate(const Cloud& cloud, double stamp,
   }
   std::optional<Eigen::Vector3f> measured;
   if (m_track.box) measured = toolPointIn(cloud, *m_track.box, parameters.toolPoint);
-  m_motion.update(stamp, measured, parameters);
+  m_motion.update(stamp, measured, parameters, held);
   if (m_motion.contradicted()) reject();
   if (m_motion.believed()) m_sure = m_seen;
   tool.state = m_track.state == TrackState::Idle ? TrackState::Lost : m_track.state;

@@ -57,8 +57,9 @@ class ToolTracking {
   /// one last saw the tool; Manual with that box's middle. Never throws.
   void look(const cv::Mat& image, const TrackingParameters& parameters) noexcept;
 
-  /// Where that is in space. `stamp`: seconds on the source's clock.
-  ToolTrack locate(const Cloud& cloud, double stamp, const TrackingParameters& parameters);
+  /// Where that is in space. `stamp`: seconds on the source's clock. `held`: see ToolMotion.
+  ToolTrack locate(const Cloud& cloud, double stamp, const TrackingParameters& parameters,
+                   const std::optional<Eigen::Vector3f>& held = {});
 
  private:
   void obey(const TrackBox& order, const cv::Mat& image, TrackerKind kind);

@@ -89,6 +89,32 @@ class TestHeldTool : public QObject {
     }
     QVERIFY(lostFor > HeldTool::longestHold);
   }
+
+  /// A tracker that slips from the tool to the boom above it, which is near enough for the tool,
+  /// does not take the load along.
+  void aTrackerThatSlipsDoesNotTakeTheLoadAlong() {
+    constexpr std::size_t step = 2;  // 0.1 s
+    constexpr int tracked = 12;
+    YardFrames frames;
+    TrueTool truth;
+    Pipeline pipeline(truth.maker());
+    pipeline.order(TrueTool::order());
+    Parameters parameters;
+    parameters.load.source = LoadSource::Detected;
+    for (int k = 0; k < tracked + 30; ++k) {
+      const FramePtr frame = frames.at("as=depth,seed=2", static_cast<std::size_t>(k) * step);
+      auto box = toolBoxIn(*frame, 0.25);
+      QVERIFY(box);
+      if (k >= tracked) box->y -= 0.7 * box->height;
+      truth.set(box);
+      const Result result = pipeline.process(frame, parameters);
+      if (k < tracked) continue;
+      const YardTruth& yard = *frame->truth->yard;
+      QVERIFY2(result.clearance.nearest, qPrintable(QString::number(k)));
+      QVERIFY((result.load->centre - yard.load.centre).norm() < 0.15);
+      QVERIFY((result.tool.point->cast<double>() - yard.toolPoint).norm() < 0.6);
+    }
+  }
 };
 
 QTEST_GUILESS_MAIN(TestHeldTool)

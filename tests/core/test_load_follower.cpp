@@ -158,6 +158,51 @@ class TestLoadFollower : public QObject {
     }
   }
 
+  // A log that points at the camera at first seems shorter than it is; it turns.
+  void whatIsSeenBetterLaterIsLearntThen() {
+    constexpr double frame = 0.05, whole = 3.0;
+    LoadFollower follower;
+    const auto at = [](double fromSight, double length) {
+      LoadDetection detection = seen({0, 0, 5}, 0.0, {length, 0.3, 0.3});
+      // Its x at an angle to the line of sight, along z here; its z away from the camera.
+      detection.box->rotation =
+          Eigen::AngleAxisd(fromSight - M_PI / 2.0, Vector3d::UnitY()).toRotationMatrix();
+      return detection;
+    };
+    int k = 0;
+    std::optional<OrientedBox> box;
+    const auto show = [&](double fromSight, int frames) {
+      for (int n = 0; n < frames; ++n, ++k) {
+        const double length = whole - 0.2 * std::cos(fromSight) + (k % 2 == 0 ? 0.02 : -0.02);
+        box = follower.follow(at(fromSight, length), k * frame, {}, maxAge).box;
+      }
+    };
+    show(0.4, 80);
+    const double first = box->size.x();
+    QVERIFY(std::abs(first - (whole - 0.2 * std::cos(0.4))) < 0.03);
+    show(0.42, 80);  // hardly better: what was learnt is held
+    QCOMPARE(box->size.x(), first);
+    for (double angle = 0.42; angle < 1.5; angle += 0.02) show(angle, 1);
+    show(1.5, 60);
+    QVERIFY2(std::abs(box->size.x() - whole) < 0.05, qPrintable(QString::number(box->size.x())));
+    const double best = box->size.x();
+    for (double angle = 1.5; angle > 0.4; angle -= 0.02) show(angle, 1);
+    show(0.4, 60);  // worse again
+    QCOMPARE(box->size.x(), best);
+  }
+
+  void aLogStaysRound() {
+    LoadFollower follower;
+    for (int k = 0; k < 200; ++k) {
+      const double turn = k < 60 ? 0.0 : std::min(1.2, 0.02 * (k - 60));
+      LoadDetection detection = seen({0, 0, 5}, 0.0, {3.0, 0.3, 0.3});
+      detection.box->size.tail<2>() *= 1.0 + 0.001 * k;
+      detection.box->rotation = Eigen::AngleAxisd(turn, Vector3d::UnitY()).toRotationMatrix();
+      const auto box = follower.follow(detection, k * 0.05, {}, maxAge).box;
+      QCOMPARE(box->size.y(), box->size.z());
+    }
+  }
+
   void anotherLoadIsLearntAnew() {
     LoadFollower follower;
     for (int k = 0; k < 40; ++k) follower.follow(seen({0, 0, 5}), k * step, {}, maxAge);

@@ -37,6 +37,7 @@ class TestToolMotion : public QObject {
   void oneOutlierIsNotBelieved();
   void outliersThatAgreeAre();
   void outliersOutOfReachContradict();
+  void outliersApartFromTheLoadContradict();
   void whatIsExpectedAnywhereIsNotInReach();
   void whatCameOutOfReachAndWentIsForgotten();
   void framesWithoutTimeBetweenThemContradictNothing();
@@ -125,6 +126,26 @@ void TestToolMotion::outliersThatAgreeAre() {
   QVERIFY((*motion.point() - elsewhere).norm() < 0.01F);
   QCOMPARE(*motion.age(), 0.0);
   QVERIFY(!motion.contradicted());
+}
+
+void TestToolMotion::outliersApartFromTheLoadContradict() {
+  ToolMotion motion = moved(3.0, 20.0);
+  const auto besideIt = [](double t) { return Vector3f(evenly(t) + Vector3f(0, -0.8F, 0)); };
+  for (int i = 1; i <= 60; ++i) {
+    const double t = 3.0 + i * 0.05;
+    motion.update(t, besideIt(3.0), defaults, evenly(t));
+    QVERIFY(!motion.believed());
+    QCOMPARE(motion.contradicted(), i >= 3);
+  }
+  // The load is no longer seen there: it may have been another one.
+  motion.update(6.05, besideIt(3.0), defaults);
+  QVERIFY(motion.believed());
+  // What moves on evenly needs no load to be believed: that may have been laid down.
+  ToolMotion leaving = moved(3.0, 20.0);
+  for (int i = 1; i <= 60; ++i) {
+    leaving.update(3.0 + i * 0.05, evenly(3.0 + i * 0.05), defaults, evenly(3.0));
+    QVERIFY(leaving.believed());
+  }
 }
 
 void TestToolMotion::outliersOutOfReachContradict() {
