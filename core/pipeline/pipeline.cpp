@@ -106,7 +106,10 @@ Pipeline::Pipeline(TrackerMaker maker)
     : m_maker(std::move(maker)), m_state(std::make_unique<State>(m_maker)) {}
 Pipeline::~Pipeline() = default;
 
-void Pipeline::order(const ToolOrder& order) { m_state->tool.order(order); }
+void Pipeline::order(const ToolOrder& order) {
+  m_state->tool.order(order);
+  m_state->held.reset();  // whoever orders knows better
+}
 void Pipeline::reset() { m_state = std::make_unique<State>(m_maker); }
 const EnvironmentModel& Pipeline::model() const { return m_state->surroundings.model(); }
 
