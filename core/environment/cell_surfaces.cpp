@@ -8,16 +8,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr std::uint32_t outside = std::numeric_limits<std::uint32_t>::max();
-
-std::uint32_t cellOf(const Vector3f& point, const GridGeometry& geometry) {
-  const double toPlane = geometry.toPlane(point.z());
-  const double row = geometry.rowPosition(point.y() * toPlane);
-  const double column = geometry.columnPosition(point.x() * toPlane);
-  if (!geometry.covers(column, row)) return outside;
-  return static_cast<std::uint32_t>(
-      geometry.index(static_cast<int>(column), static_cast<int>(row)));
-}
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// The point of the same cell that lies at depth z.
 Vector3f movedTo(float z, const Vector3f& point, const GridGeometry& geometry) {
@@ -30,18 +21,13 @@ Vector3f movedTo(float z, const Vector3f& point, const GridGeometry& geometry) {
 }  // namespace
 
 Points CellSurfaces::of(std::span<const Vector3f> points, const GridGeometry& geometry) {
-  m_cells.resize(geometry.cellCount());
-  m_cellOf.clear();
-  for (const Vector3f& p : points) {
-    m_cellOf.push_back(cellOf(p, geometry));
-    if (m_cellOf.back() == outside) continue;
-    Seen& seen = m_cells[m_cellOf.back()];
-    seen.nearest = seen.count == 0 ? p.z() : std::min(seen.nearest, p.z());
-    seen.count = 1;
-  }
+  m_seenOfCell.resize(geometry.cellCount(), none);
+  m_seenOfPoint.clear();
+  m_seen.clear();
+  for (const Vector3f& p : points) note(p, geometry);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (m_cellOf[k] == outside) continue;
-    Seen& seen = m_cells[m_cellOf[k]];
+    if (m_seenOfPoint[k] == none) continue;
+    Seen& seen = m_seen[m_seenOfPoint[k]];
     const float behind = points[k].z() - seen.nearest;
     if (behind == 0.0F || behind > static_cast<float>(2.0 * geometry.cellSize(seen.nearest))) {
       continue;
@@ -50,16 +36,30 @@ Points CellSurfaces::of(std::span<const Vector3f> points, const GridGeometry& ge
     ++seen.count;
   }
   Points surfaces;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (m_cellOf[k] == outside) continue;
-    Seen& seen = m_cells[m_cellOf[k]];
-    if (seen.count == 0) continue;
+  surfaces.reserve(m_seen.size());
+  for (const Seen& seen : m_seen) {
     const auto most = static_cast<float>(geometry.cellSize(seen.nearest));
     const float mean = seen.behind / static_cast<float>(seen.count);
-    surfaces.push_back(movedTo(seen.nearest + std::min(mean, most), points[k], geometry));
-    seen = {};
+    surfaces.push_back(movedTo(seen.nearest + std::min(mean, most), seen.first, geometry));
+    m_seenOfCell[seen.cell] = none;
   }
   return surfaces;
+}
+
+void CellSurfaces::note(const Vector3f& point, const GridGeometry& geometry) {
+  const double toPlane = geometry.toPlane(point.z());
+  const double row = geometry.rowPosition(point.y() * toPlane);
+  const double column = geometry.columnPosition(point.x() * toPlane);
+  m_seenOfPoint.push_back(none);
+  if (!geometry.covers(column, row)) return;
+  const std::size_t cell = geometry.index(static_cast<int>(column), static_cast<int>(row));
+  if (m_seenOfCell[cell] == none) {
+    m_seenOfCell[cell] = static_cast<std::uint32_t>(m_seen.size());
+    m_seen.push_back({static_cast<std::uint32_t>(cell), point, point.z()});
+  }
+  m_seenOfPoint.back() = m_seenOfCell[cell];
+  Seen& seen = m_seen[m_seenOfPoint.back()];
+  seen.nearest = std::min(seen.nearest, point.z());
 }
 
 }  // namespace boomwatch

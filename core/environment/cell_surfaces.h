@@ -17,7 +17,7 @@ namespace boomwatch {
 /// most one cell behind the nearest point, whatever the cell holds: what stands right before
 /// something else is not lost.
 ///
-/// Keeps its memory, 12 bytes a cell, between the frames. Not thread-safe.
+/// Keeps its memory, 4 bytes a cell, between the frames. Not thread-safe.
 class CellSurfaces {
  public:
   /// `points`: finite, inside the bounds; camera frame. In order of first appearance; a point
@@ -27,12 +27,17 @@ class CellSurfaces {
  private:
   /// What is seen of a cell; metres.
   struct Seen {
-    float nearest = 0.0F;     ///< depth
-    float behind = 0.0F;      ///< sum over the points of the surface of what they lie behind that
-    std::uint32_t count = 0;  ///< of these points
+    std::uint32_t cell;
+    Eigen::Vector3f first;  ///< of its points
+    float nearest;          ///< depth
+    float behind = 0.0F;    ///< sum of what the points of the surface lie behind that
+    int count = 1;          ///< of these points, with the nearest
   };
-  std::vector<Seen> m_cells;            ///< count 0 between the frames
-  std::vector<std::uint32_t> m_cellOf;  ///< of every point
+  void note(const Eigen::Vector3f& point, const GridGeometry& geometry);
+
+  std::vector<std::uint32_t> m_seenOfCell;   ///< index of each cell; none between the frames
+  std::vector<std::uint32_t> m_seenOfPoint;  ///< the same of each point
+  std::vector<Seen> m_seen;
 };
 
 }  // namespace boomwatch
