@@ -40,8 +40,7 @@ inline constexpr auto modelRows = std::to_array<ParameterInfo>({
         "cell_depth",
         {TR("Model"), TR("Cell depth"),
          TR("nearest: that of the nearest point in a cell (Eq. 10), up to half a cell too near "
-            "where "
-            "a surface is seen at an angle; surface: the mean of the surface there")},
+            "where a surface is seen at an angle; surface: the mean of the surface there")},
         {}, cellDepthNames),
     row<&P::model, &M::probtresh>("probtresh",
                                   {TR("Model"), TR("probtresh"),

@@ -39,19 +39,16 @@ bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParam
                             const std::optional<Eigen::Vector3f>& held) {
   const double noise = parameters.noise;
   const bool isApart = held && (measured - held->cast<double>()).norm() > besideHeld;
-  // What moves on from where it was may have let go of the load; what has leapt has not.
-  const bool leaps = isApart && m_outliers > 0;
+  // What is seen to move on, frame by frame, may have let go of the load; what has leapt has not.
+  const bool wasSeen = m_isBelieved;  // in the frame before
+  const bool leaps = isApart && !wasSeen;
   if (m_known && !leaps && isInReach(measured, parameters) && believe(measured, noise)) return true;
   noteOutlier(measured, noise);
   const bool inReach = isInReach(measured, parameters);
   const bool insists = m_outliers >= agreeingOutliers;
   if (!insists && (m_known || !inReach)) return false;
-  if (isApart) {
-    m_isContradicted = insists;
-    return false;
-  }
-  if (!inReach && *m_stamp - m_outliersSince < longestContradiction) {
-    m_isContradicted = !m_known;
+  if (isApart || (!inReach && *m_stamp - m_outliersSince < longestContradiction)) {
+    m_isContradicted = insists && !m_known;
     return false;
   }
   begin(measured, noise);
