@@ -55,7 +55,7 @@ void CellSurfaces::note(const Vector3f& point, const GridGeometry& geometry) {
   const std::size_t cell = geometry.index(static_cast<int>(column), static_cast<int>(row));
   if (m_seenOfCell[cell] == none) {
     m_seenOfCell[cell] = static_cast<std::uint32_t>(m_seen.size());
-    m_seen.push_back({static_cast<std::uint32_t>(cell), point, point.z()});
+    m_seen.push_back({cell, point, point.z()});
   }
   m_seenOfPoint.back() = m_seenOfCell[cell];
   Seen& seen = m_seen[m_seenOfPoint.back()];

@@ -27,7 +27,7 @@ class CellSurfaces {
  private:
   /// What is seen of a cell; metres.
   struct Seen {
-    std::uint32_t cell;
+    std::size_t cell;
     Eigen::Vector3f first;  ///< of its points
     float nearest;          ///< depth
     float behind = 0.0F;    ///< sum of what the points of the surface lie behind that
