@@ -766,8 +766,8 @@
         <translation>Maße</translation>
     </message>
     <message>
-        <source>detected: learnt at first and then held, or locked to the sizes above (x is a log&apos;s length)</source>
-        <translation>detected: anfangs gelernt und dann gehalten, oder fest die Maße darüber (x ist die Länge eines Stamms)</translation>
+        <source>detected: learnt at first, then held until seen better, or locked to the sizes above (x is a log&apos;s length)</source>
+        <translation>detected: anfangs gelernt, dann gehalten, bis sie besser zu sehen sind, oder fest die Maße darüber (x ist die Länge eines Stamms)</translation>
     </message>
     <message>
         <source>Learning time</source>

@@ -47,17 +47,14 @@ Points CellSurfaces::of(std::span<const Vector3f> points, const GridGeometry& ge
 }
 
 void CellSurfaces::note(const Vector3f& point, const GridGeometry& geometry) {
-  const double toPlane = geometry.toPlane(point.z());
-  const double row = geometry.rowPosition(point.y() * toPlane);
-  const double column = geometry.columnPosition(point.x() * toPlane);
   m_seenOfPoint.push_back(none);
-  if (!geometry.covers(column, row)) return;
-  const std::size_t cell = geometry.index(static_cast<int>(column), static_cast<int>(row));
-  if (m_seenOfCell[cell] == none) {
-    m_seenOfCell[cell] = static_cast<std::uint32_t>(m_seen.size());
-    m_seen.push_back({cell, point, point.z()});
+  const auto cell = geometry.indexAt(point);
+  if (!cell) return;
+  if (m_seenOfCell[*cell] == none) {
+    m_seenOfCell[*cell] = static_cast<std::uint32_t>(m_seen.size());
+    m_seen.push_back({*cell, point, point.z()});
   }
-  m_seenOfPoint.back() = m_seenOfCell[cell];
+  m_seenOfPoint.back() = m_seenOfCell[*cell];
   Seen& seen = m_seen[m_seenOfPoint.back()];
   seen.nearest = std::min(seen.nearest, point.z());
 }

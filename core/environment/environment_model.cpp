@@ -83,24 +83,18 @@ std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
     const ModelParameters& parameters) const {
   std::vector<HiddenCell> hidden;
   for (const Eigen::Vector3f& point : masked) {
-    const double toPlane = m_geometry.toPlane(point.z());
-    const double row = m_geometry.rowPosition(point.y() * toPlane);
-    const double column = m_geometry.columnPosition(point.x() * toPlane);
-    if (!m_geometry.covers(column, row)) continue;
-    const auto i = static_cast<int>(column), j = static_cast<int>(row);
-    const std::size_t k = m_geometry.index(i, j);
-    if (cells.contain(k) && m_nearness[k] == 0 && isHidden(i, j, point.z(), view)) {
-      hidden.push_back({k, m_probabilities[k], m_levels[k]});
+    const auto cell = m_geometry.indexAt(point);
+    if (!cell || !cells.contain(*cell) || m_nearness[*cell] != 0) continue;
+    if (isHidden(*cell, point.z(), view)) {
+      hidden.push_back({*cell, m_probabilities[*cell], m_levels[*cell]});
     }
   }
   if (!view) return hidden;
   // What hides a surface from the camera is seldom in the same column.
   const auto known = static_cast<float>(longKnown * highestProbability(parameters));
-  const auto columns = static_cast<std::size_t>(m_geometry.columns());
   for (std::size_t k = cells.begin; k < cells.end; ++k) {
     if (m_levels[k] == 0 || m_nearness[k] != 0 || m_probabilities[k] < known) continue;
-    const auto column = static_cast<int>(k % columns), row = static_cast<int>(k / columns);
-    if (view->hides(m_geometry.surfacePoint(column, row, m_levels[k]), depthRoom)) {
+    if (view->hides(m_geometry.surfacePoint(k, m_levels[k]), depthRoom)) {
       hidden.push_back({k, m_probabilities[k], m_levels[k]});
     }
   }
@@ -108,10 +102,9 @@ std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
 }
 
 /// By something that was taken out of the same cell at depth z.
-bool EnvironmentModel::isHidden(int column, int row, double z, const DepthView* view) const {
-  const int level = m_levels[m_geometry.index(column, row)];
-  if (level == 0) return true;
-  const Eigen::Vector3d surface = m_geometry.surfacePoint(column, row, level);
+bool EnvironmentModel::isHidden(std::size_t cell, double z, const DepthView* view) const {
+  if (m_levels[cell] == 0) return true;
+  const Eigen::Vector3d surface = m_geometry.surfacePoint(cell, m_levels[cell]);
   if (z > surface.z() + depthRoom) return false;
   return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), depthRoom);
 }

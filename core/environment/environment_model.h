@@ -48,8 +48,8 @@ class EnvironmentModel {
   std::span<const std::uint8_t> levels() const { return m_levels; }
   std::size_t frames() const { return m_frames; }  ///< updates since it was made
 
-  CellState state(int column, int row) const {
-    const std::size_t k = m_geometry.index(column, row);
+  CellState state(int column, int row) const { return state(m_geometry.index(column, row)); }
+  CellState state(std::size_t k) const {
     if (m_levels[k] > 0) return CellState::Occupied;
     return m_probabilities[k] > 0.0F ? CellState::ObservedFree : CellState::NeverObserved;
   }
@@ -85,7 +85,7 @@ class EnvironmentModel {
   std::vector<HiddenCell> hiddenCells(const Cells& cells, std::span<const Eigen::Vector3f> masked,
                                       const DepthView* view,
                                       const ModelParameters& parameters) const;
-  bool isHidden(int column, int row, double z, const DepthView* view) const;
+  bool isHidden(std::size_t cell, double z, const DepthView* view) const;
 
   GridGeometry m_geometry;
   std::vector<float> m_probabilities;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "frame/bounds.h"
 #include "frame/model_projection.h"
@@ -92,6 +93,13 @@ class GridGeometry {
   /// Any number will do; one far outside the bounds (or NaN) gives a column far outside.
   int columnOf(double x) const { return whole(columnPosition(x)); }
   int rowOf(double y) const { return whole(rowPosition(y)); }
+  /// The cell that a point (camera frame) is in; absent outside the grid, and of a NaN.
+  std::optional<std::size_t> indexAt(const Eigen::Vector3f& p) const {
+    const double scale = toPlane(p.z());
+    const double column = columnPosition(p.x() * scale), row = rowPosition(p.y() * scale);
+    if (!covers(column, row)) return std::nullopt;
+    return index(static_cast<int>(column), static_cast<int>(row));
+  }
   /// The nearest level, at least 1: what is measured is never level 0.
   std::uint8_t levelOf(double z) const {
     const double level = (z - m_bounds.zMin) * m_levelsPerMetre + 0.5;
@@ -106,6 +114,11 @@ class GridGeometry {
     const double z = zOf(level);
     const double fromPlane = 1.0 / toPlane(z);
     return {xOf(column) * fromPlane, yOf(row) * fromPlane, z};
+  }
+  Eigen::Vector3d surfacePoint(std::size_t index, int level) const {
+    const auto columns = static_cast<std::size_t>(m_columns);
+    return surfacePoint(static_cast<int>(index % columns), static_cast<int>(index / columns),
+                        level);
   }
   /// Metres a cell is wide and high at depth z.
   double cellSize(double z) const { return m_resolution / toPlane(z); }

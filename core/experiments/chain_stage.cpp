@@ -25,7 +25,12 @@ bool hasItsPlace(YardKind kind) { return kind != YardKind::Nothing && !moves(kin
 
 /// How much of what is seen lies how far from the load.
 class SeenArea {
+  static constexpr std::size_t bins = 400;
+  static constexpr double width = 0.01;  // metres
+
  public:
+  static constexpr double range = bins * width;  ///< metres; what is farther is not counted
+
   void add(double distance, double area) {
     const double bin = distance / width;
     if (bin < bins) m_areas[static_cast<std::size_t>(bin)] += area;
@@ -41,8 +46,6 @@ class SeenArea {
   }
 
  private:
-  static constexpr std::size_t bins = 400;
-  static constexpr double width = 0.01;  // metres
   std::array<double, bins> m_areas{};
 };
 
@@ -52,12 +55,15 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
   const PinholeCamera camera = cameraOf(frame);
   SeenArea area;
   double nearest = std::numeric_limits<double>::infinity();
+  const double loadRadius = 0.5 * yard.load.size.norm();
   for (int v = 0; v < yard.depth.rows; ++v) {
     const auto* depth = yard.depth.ptr<float>(v);
     const auto* kind = yard.kind.ptr<std::uint8_t>(v);
     for (int u = 0; u < yard.depth.cols; ++u) {
       if (!hasItsPlace(YardKind{kind[u]}) || !std::isfinite(depth[u])) continue;
       const Vector3d p = double{depth[u]} * camera.ray(u, v);
+      const double least = (p - yard.load.centre).norm() - loadRadius;
+      if (least >= std::max(nearest, SeenArea::range)) continue;  // changes neither
       const double distance = (yard.load.nearestTo(p) - p).norm();
       const double pixel = double{depth[u]} / camera.focal;
       area.add(distance, pixel * pixel);

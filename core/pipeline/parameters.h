@@ -96,8 +96,9 @@ struct ClearanceParameters {
   /// count.
   double smallestThing = 0.1;
   /// Metres: pieces that are smaller than this count only when they are as good as certain; see
-  /// Pieces::doubtful. A falling leaf is in no cell for so long.
-  double doubtfulThing = 0.4;
+  /// Pieces::doubtful. A falling leaf is in no cell for so long, nor a bird, which reaches half a
+  /// metre with its wings.
+  double doubtfulThing = 0.6;
 };
 
 /// From what the distance is watched; the smallest leads.
@@ -126,7 +127,7 @@ struct LoadParameters {
   double yaw = 0.0, pitch = 0.0, roll = 0.0;
   LoadShape shape = LoadShape::Cylinder;  ///< Auto: a cylinder, or a box where there is none
   LoadDimensions dimensions = LoadDimensions::Learnt;  ///< Locked: the sizes above
-  double learnTime = 2.0;  ///< seconds over which sizes are learnt, to be held from then on
+  double learnTime = 2.0;  ///< seconds over which sizes are learnt; see LearntLength
   double maxSize = 5.0;    ///< what is longer is no load
   double toolSize = 0.8;   ///< diameter, about the tool point, of what is the tool itself
   double margin = 0.1;     ///< about a detected load, in which points are taken out with it

@@ -45,8 +45,8 @@ inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
     row<&P::load, &L::dimensions>(
         "load_dimensions",
         {TR("Load"), TR("Sizes"),
-         TR("detected: learnt at first and then held, or locked to the sizes above (x is a log's "
-            "length)")},
+         TR("detected: learnt at first, then held until seen better, or locked to the sizes above "
+            "(x is a log's length)")},
         {}, dimensionNames),
     row<&P::load, &L::learnTime>(
         "load_learn_time",

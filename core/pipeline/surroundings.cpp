@@ -65,12 +65,8 @@ std::vector<std::size_t> Surroundings::hiddenAndUnseen() const {
   const GridGeometry& geometry = m_model.geometry();
   std::vector<std::size_t> cells;
   for (const Eigen::Vector3f& point : m_hidden) {
-    const Eigen::Vector2d place = geometry.onPlane(point.cast<double>());
-    const int column = geometry.columnOf(place.x()), row = geometry.rowOf(place.y());
-    if (!geometry.contains(column, row)) continue;
-    if (m_model.state(column, row) == CellState::NeverObserved) {
-      cells.push_back(geometry.index(column, row));
-    }
+    const auto cell = geometry.indexAt(point);
+    if (cell && m_model.state(*cell) == CellState::NeverObserved) cells.push_back(*cell);
   }
   return cells;
 }

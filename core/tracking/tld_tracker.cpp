@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <limits>
+#include <tuple>
 
 #include "frame/error.h"
 #include "tracking/median_flow.h"
@@ -30,7 +31,8 @@ constexpr double flatShare = 0.25;
 
 constexpr float trustedLikeness = 0.7F;
 constexpr float doubtedLikeness = 0.5F;
-constexpr int longestDoubt = 25;  // images
+constexpr int longestDoubt = 25;        // images
+constexpr float somethingElse = 0.45F;  // less is rather what was learnt not to be the tool
 // By how much the best of several places must look more like the tool than the second.
 constexpr float lead = 0.05F;
 constexpr double sameOverlap = 0.5;
@@ -97,6 +99,7 @@ void TldTracker::begin(ToolClassifier tool) {
   m_keypoints = CmtTracker(KeypointReach::DensePart);
   m_trusted = false;
   m_colours = ColourLayout();
+  m_recent.forget();
   m_images = 0;
   m_scale = 1.0;
   m_imagesLost = std::numeric_limits<int>::max() / 2;
@@ -226,6 +229,13 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
   }
 }
 
+/// What looks as the tool did when it was last seen, unless it was learnt as something else.
+std::optional<Detection> TldTracker::cameBack(const cv::Mat& grey, const cv::Rect2d& box) const {
+  const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
+  const Detection place{box, m_tool->likeness(patch)};
+  return place.likeness.relative >= somethingElse ? std::optional(place) : std::nullopt;
+}
+
 void TldTracker::lose() {
   m_found.reset();
   m_trusted = false;
@@ -234,7 +244,8 @@ void TldTracker::lose() {
 
 void TldTracker::reject() {
   lose();
-  m_imagesLost = imagesAway + 1;  // its size was that of something else
+  m_recent.forget();              // that was something else
+  m_imagesLost = imagesAway + 1;  // and so was its size
 }
 
 bool TldTracker::isDisputed(const std::vector<Detection>& detections) const {
@@ -244,7 +255,7 @@ bool TldTracker::isDisputed(const std::vector<Detection>& detections) const {
 }
 
 /// Section 5.4 of the paper: the flow's box, unless the detector is surer of another place.
-void TldTracker::integrate(const std::optional<Detection>& followed,
+void TldTracker::integrate(const cv::Mat& grey, const std::optional<Detection>& followed,
                            const std::vector<Detection>& detections) {
   if (!followed) {
     lose();
@@ -264,7 +275,9 @@ void TldTracker::integrate(const std::optional<Detection>& followed,
     return;
   }
   if (followed->likeness.conservative > trustedLikeness) m_trusted = true;
-  m_imagesDoubted = followed->likeness.relative < doubtedLikeness ? m_imagesDoubted + 1 : 0;
+  const bool doubted =
+      followed->likeness.relative < doubtedLikeness && !m_recent.recognises(grey, followed->box);
+  m_imagesDoubted = doubted ? m_imagesDoubted + 1 : 0;
   if (m_imagesDoubted > longestDoubt) {
     lose();
     return;
@@ -293,19 +306,26 @@ Track TldTracker::track(const cv::Mat& image) {
   if (isTrackable(image)) {
     const cv::Mat grey = greyOf(image);
     // Followed and looked for at the same time: neither depends on the other.
-    auto following =
-        std::async(std::launch::async, [&] { return std::pair(flow(grey), consensus(grey)); });
+    auto following = std::async(std::launch::async, [&] {
+      const auto back = wasSeen ? std::nullopt : m_recent.find(grey);
+      return std::tuple(flow(grey), consensus(grey), back);
+    });
     const ScanLevels levels = levelsOf(grey);
     const std::vector<Candidate> candidates = findCandidates(levels, *m_tool);
     const std::vector<Detection> detections = detect(image, grey, candidates);
     // Looked for here already where they will be needed: the keypoints take longer.
     std::optional<std::vector<ColourLayout::Place>> places;
     if (++m_images % coloursEvery == 0 || !m_trusted) places = m_colours.places(image);
-    const auto [flowed, agreed] = following.get();
-    integrate(followedOf(flowed, agreed), detections);
+    const auto [flowed, agreed, back] = following.get();
+    integrate(grey, followedOf(flowed, agreed), detections);
     if (isSure() && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
     if (!isSure() && !places) places = m_colours.places(image);
     if (places) askColours(image, grey, *places);
+    if (!m_found && back) m_found = cameBack(grey, *back);
+    if (m_found) m_recent.follow();
+    if (m_found && m_found->likeness.relative >= doubtedLikeness) {
+      m_recent.remember(grey, m_found->box);
+    }
     // What the keypoints carry on must be the tool's.
     if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
       m_keypoints.lookAt(m_found->box);

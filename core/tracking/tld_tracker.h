@@ -6,6 +6,7 @@
 #include "tracking/cmt_tracker.h"
 #include "tracking/colour_layout.h"
 #include "tracking/median_flow.h"
+#include "tracking/recent_look.h"
 #include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
 #include "tracking/tool_detector.h"
@@ -19,8 +20,9 @@ namespace boomwatch {
 /// teaches the detector. Beside the flow, and against its drift, the keypoints of the first box are
 /// looked for around the tool (CmtTracker); that box is taken which looks more like the older half
 /// of the model. Where neither is sure, as when the tool has turned, its colours decide
-/// (ColourLayout). A tracker that began with a saved model has no keypoints, and learns the colours
-/// when it is first sure of the tool.
+/// (ColourLayout); what comes back from behind something is known by its last look (RecentLook). A
+/// tracker that began with a saved model has no keypoints, and learns the colours when it is first
+/// sure of the tool.
 ///
 /// The guard against "explosion", a model that fills with what is not the tool: an image teaches
 /// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
@@ -43,7 +45,7 @@ class TldTracker : public Tracker {
   std::vector<Candidate> sharpened(const cv::Mat& grey, std::vector<Candidate> candidates) const;
   std::vector<Detection> detect(const cv::Mat& image, const cv::Mat& grey,
                                 const std::vector<Candidate>& candidates) const;
-  void integrate(const std::optional<Detection>& followed,
+  void integrate(const cv::Mat& grey, const std::optional<Detection>& followed,
                  const std::vector<Detection>& detections);
   bool isDisputed(const std::vector<Detection>& detections) const;
   bool learn(const cv::Mat& grey, const ScanLevels& levels,
@@ -51,6 +53,7 @@ class TldTracker : public Tracker {
   bool isSure() const;
   void askColours(const cv::Mat& image, const cv::Mat& grey,
                   const std::vector<ColourLayout::Place>& places);
+  std::optional<Detection> cameBack(const cv::Mat& grey, const cv::Rect2d& box) const;
   void lose();
 
   std::optional<ToolClassifier> m_tool;
@@ -62,6 +65,7 @@ class TldTracker : public Tracker {
   CmtTracker m_keypoints{KeypointReach::DensePart};  ///< idle where there were too few
   bool m_trusted = false;                            ///< see the class
   ColourLayout m_colours;
+  RecentLook m_recent;
   int m_images = 0;         ///< since it began
   double m_scale = 1.0;     ///< of the tool when it was last seen, against the model's
   int m_imagesLost = 0;     ///< since it was last seen

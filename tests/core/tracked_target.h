@@ -20,6 +20,11 @@ class TargetScene {
  public:
   static constexpr int side = 80;  // pixels at scale 1
 
+  /// Pixels: how coarse the structure is.
+  explicit TargetScene(double wallGrain = 3.0, double targetGrain = 1.5)
+      : m_wall(texture({320, 240}, wallGrain, 1)),
+        m_target(texture({side, side}, targetGrain, 2)) {}
+
   /// Centre in pixels, angle in degrees.
   cv::Mat image(cv::Point2d centre, double angle = 0.0, double scale = 1.0) const {
     cv::Mat picture = m_wall.clone();
@@ -42,8 +47,7 @@ class TargetScene {
   const cv::Mat& wall() const { return m_wall; }
 
  private:
-  cv::Mat m_wall = texture({320, 240}, 3.0, 1);
-  cv::Mat m_target = texture({side, side}, 1.5, 2);
+  cv::Mat m_wall, m_target;
 };
 
 }  // namespace boomwatch::test

@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <vector>
 
+#include "evaluation/absences.h"
 #include "evaluation/track_score.h"
 #include "evaluation/tracking_sequence.h"
 #include "real_data.h"
@@ -15,6 +16,7 @@ class TestTldSequences : public QObject {
  private slots:
   void followsAndFindsAgain_data();
   void followsAndFindsAgain();
+  void findsAgainByTheLastLook();
   void aModelFileCarriesWhatWasLearnt();
 };
 
@@ -25,8 +27,7 @@ struct Stretch {
   GroundTruth truth;
 };
 
-Stretch stretchOf(const QString& folder, std::size_t first, std::size_t count) {
-  TrackingSequence sequence = openTrackingSequence(folder.toStdString());
+Stretch stretchOf(TrackingSequence sequence, std::size_t first, std::size_t count) {
   Stretch stretch;
   for (std::size_t i = 0; i < first + count && i < sequence.truth.size(); ++i) {
     const cv::Mat image = sequence.images->read(i).image;
@@ -35,6 +36,10 @@ Stretch stretchOf(const QString& folder, std::size_t first, std::size_t count) {
     stretch.truth.push_back(sequence.truth[i]);
   }
   return stretch;
+}
+
+Stretch stretchOf(const QString& folder, std::size_t first, std::size_t count) {
+  return stretchOf(openTrackingSequence(folder.toStdString()), first, count);
 }
 
 /// What `tracker` says of the stretch from image `first` on.
@@ -75,6 +80,20 @@ void TestTldSequences::followsAndFindsAgain() {
   QCOMPARE(score.refound, score.returns);
   QVERIFY(tracker.model()->positives.size() <= ToolModel::mostPositives);
   QVERIFY(tracker.model()->negatives.size() <= ToolModel::mostNegatives);
+}
+
+/// A face in other light than at the beginning: the learnt patches alone do not find it.
+void TestTldSequences::findsAgainByTheLastLook() {
+  const QString folder = sharedData("tracking/tld_david");
+  REQUIRE_DATA(folder);
+  TrackingSequence sequence = openTrackingSequence(folder.toStdString());
+  addAbsences(sequence, 4);
+  const Stretch stretch = stretchOf(std::move(sequence), 0, 210);
+  TldTracker tracker;
+  tracker.start(stretch.images.front(), stretch.truth.front().value());
+  const TrackScore score = scoreOn(stretch, 1, tracker);
+  QCOMPARE(score.returns, std::size_t{1});
+  QCOMPARE(score.refound, std::size_t{1});
 }
 
 void TestTldSequences::aModelFileCarriesWhatWasLearnt() {

@@ -14,11 +14,25 @@ using Eigen::Vector3d;
 
 constexpr std::size_t noiseSamples = 1 << 17;
 
-/// Of mean 0 and deviation 1.
-double gaussian(Dice& dice) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - dice.between(0.0, 1.0)));
-  return radius * std::cos(2.0 * std::numbers::pi * dice.between(0.0, 1.0));
-}
+/// Numbers of mean 0 and deviation 1 (Box and Muller, who make two at a time).
+class Gaussian {
+ public:
+  explicit Gaussian(Dice dice) : m_dice(dice) {}
+
+  double next() {
+    m_hasSecond = !m_hasSecond;
+    if (!m_hasSecond) return m_second;
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - m_dice.between(0.0, 1.0)));
+    const double angle = 2.0 * std::numbers::pi * m_dice.between(0.0, 1.0);
+    m_second = radius * std::sin(angle);
+    return radius * std::cos(angle);
+  }
+
+ private:
+  Dice m_dice;
+  bool m_hasSecond = false;
+  double m_second = 0.0;
+};
 
 std::uint64_t streamOf(const YardEye& eye, std::size_t frame) {
   return 2 * static_cast<std::uint64_t>(frame) + (eye.eye.x() > 0.0 ? 1 : 0);
@@ -29,9 +43,9 @@ std::uint64_t streamOf(const YardEye& eye, std::size_t frame) {
 YardSensor::YardSensor(const YardOptions& options) : m_options(options) {
   if (options.noise <= 0.0) return;
   m_noise.resize(noiseSamples);
-  Dice dice(options.seed, 31);
+  Gaussian gaussian(Dice(options.seed, 31));
   for (std::int8_t& sample : m_noise) {
-    const double value = std::clamp(options.noise * gaussian(dice), -127.0, 127.0);
+    const double value = std::clamp(options.noise * gaussian.next(), -127.0, 127.0);
     sample = static_cast<std::int8_t>(std::lround(value));
   }
 }
@@ -99,13 +113,13 @@ void YardSensor::expose(cv::Mat& colour, const YardEye& eye, std::size_t frame) 
 }
 
 void addDepthNoise(cv::Mat& depth, double noise, double depthTimesDisparity, std::uint64_t stream) {
-  Dice dice(stream, 33);
+  Gaussian gaussian(Dice(stream, 33));
   for (int v = 0; v < depth.rows; ++v) {
     auto* row = depth.ptr<float>(v);
     for (int u = 0; u < depth.cols; ++u) {
       const double z = static_cast<double>(row[u]);
       if (!std::isfinite(z)) continue;
-      const double disparity = depthTimesDisparity / z + noise * gaussian(dice);
+      const double disparity = depthTimesDisparity / z + noise * gaussian.next();
       row[u] = disparity > 0.0 ? static_cast<float>(depthTimesDisparity / disparity)
                                : std::numeric_limits<float>::quiet_NaN();
     }

@@ -1,0 +1,142 @@
+#include <QtTest>
+
+#include "evaluation/track_score.h"
+#include "tracked_target.h"
+#include "tracking/recent_look.h"
+#include "tracking/tracker.h"
+
+using namespace boomwatch;
+using namespace boomwatch::test;
+
+class TestRecentLook : public QObject {
+  Q_OBJECT
+ private slots:
+  void findsWhatComesBack_data();
+  void findsWhatComesBack();
+  void notInTheFirstImages();
+  void notWhatWasThereAllTheTime();
+  void notWhatElseIsInItsPlace();
+  void whatIsFollowedIsForgotten();
+  void knowsWhatItLooksLike();
+  void remembersNothingOfABoxThatShowsNothing();
+};
+
+namespace {
+
+const TargetScene scene(20.0, 5.0);  // what is beside the target changes little with its place
+const cv::Point2d place(150.0, 120.0);
+constexpr int away = 12;  // images
+
+cv::Mat withTarget(cv::Point2d centre, double angle = 0.0, double scale = 1.0) {
+  return greyOf(scene.image(centre, angle, scale));
+}
+
+RecentLook seenAt(cv::Point2d centre) {
+  RecentLook look;
+  look.remember(withTarget(centre), TargetScene::box(centre));
+  return look;
+}
+
+std::optional<cv::Rect2d> lastOf(RecentLook& look, const cv::Mat& grey, int images) {
+  std::optional<cv::Rect2d> found;
+  for (int k = 0; k < images; ++k) found = look.find(grey);
+  return found;
+}
+
+}  // namespace
+
+void TestRecentLook::findsWhatComesBack_data() {
+  QTest::addColumn<QPointF>("shift");
+  QTest::addColumn<double>("angle");
+  QTest::addColumn<double>("scale");
+  QTest::addColumn<double>("contrast");
+  QTest::newRow("as it was") << QPointF() << 0.0 << 1.0 << 1.0;
+  QTest::newRow("a little elsewhere") << QPointF(9, -5) << 0.0 << 1.0 << 1.0;
+  QTest::newRow("turned a little, farther away") << QPointF(-2, 2) << 6.0 << 0.9 << 1.0;
+  QTest::newRow("in other light") << QPointF(3, 0) << 0.0 << 1.0 << 0.4;
+}
+
+void TestRecentLook::findsWhatComesBack() {
+  QFETCH(QPointF, shift);
+  QFETCH(double, angle);
+  QFETCH(double, scale);
+  QFETCH(double, contrast);
+  RecentLook look = seenAt(place);
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), away));
+  const cv::Point2d centre = place + cv::Point2d(shift.x(), shift.y());
+  cv::Mat back;
+  withTarget(centre, angle, scale).convertTo(back, -1, contrast, 20.0);
+  QVERIFY2(!look.find(back), "seen once");
+  const auto found = look.find(back);
+  QVERIFY(found);
+  QVERIFY(overlapOf(*found, TargetScene::box(centre, scale)) > 0.75);
+}
+
+void TestRecentLook::notInTheFirstImages() {
+  RecentLook look = seenAt(place);
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), 3));
+  QVERIFY(!lastOf(look, withTarget(place), 3));
+}
+
+void TestRecentLook::notWhatWasThereAllTheTime() {
+  // A twin in the same surroundings: half of the picture is what the other half is.
+  const auto twins = [](const cv::Mat& left, const cv::Mat& right) {
+    cv::Mat both;
+    cv::hconcat(left, right, both);
+    return both;
+  };
+  const cv::Mat wall = greyOf(scene.wall()), target = withTarget(place);
+  RecentLook look;
+  look.remember(twins(target, target), TargetScene::box(place));
+  QVERIFY(!lastOf(look, twins(wall, target), 30));
+  QVERIFY2(!lastOf(look, twins(target, target), 5), "which of them is it?");
+}
+
+void TestRecentLook::notWhatElseIsInItsPlace() {
+  RecentLook look = seenAt(place);
+  QVERIFY(!lastOf(look, withTarget(place, 90.0), away));
+  QVERIFY(!lastOf(look, withTarget(place, 180.0), away));
+}
+
+void TestRecentLook::whatIsFollowedIsForgotten() {
+  RecentLook look = seenAt(place);
+  QVERIFY(!lastOf(look, withTarget(place), away));  // was there all the time
+  look.follow();
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), away));
+  QVERIFY(lastOf(look, withTarget(place), 2));
+  look.forget();
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), away));
+  QVERIFY(!lastOf(look, withTarget(place), 2));
+}
+
+void TestRecentLook::knowsWhatItLooksLike() {
+  const RecentLook look = seenAt(place);
+  QVERIFY(look.recognises(withTarget(place), TargetScene::box(place)));
+  QVERIFY(!look.recognises(withTarget(place), TargetScene::box(place + cv::Point2d(25, 0))));
+  QVERIFY(!look.recognises(greyOf(scene.wall()), TargetScene::box(place)));
+  QVERIFY(!look.recognises(withTarget(place), TargetScene::box({310.0, 230.0})));
+  QVERIFY(!RecentLook().recognises(withTarget(place), TargetScene::box(place)));
+}
+
+void TestRecentLook::remembersNothingOfABoxThatShowsNothing() {
+  const auto finds = [](const cv::Mat& grey, const cv::Rect2d& box) {
+    RecentLook look;
+    look.remember(grey, box);
+    lastOf(look, greyOf(scene.wall()), away);
+    return lastOf(look, grey, 2).has_value();
+  };
+  const cv::Mat grey = withTarget(place);
+  QVERIFY(!finds(grey, {400.0, 300.0, 80.0, 80.0}));
+  QVERIFY(!finds(grey, {-70.0, 100.0, 80.0, 80.0}));
+  QVERIFY(!finds(grey, {100.0, 100.0, 2.0, 2.0}));
+  QVERIFY(!finds(grey, {100.0, 100.0, 300.0, 1.0}));
+  QVERIFY(!finds(grey, {}));
+  RecentLook look = seenAt(place);
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(640, 3), cv::Size(30, 30)}) {
+    QVERIFY(!lastOf(look, cv::Mat(size, CV_8UC1, cv::Scalar(90)), away));
+  }
+  QVERIFY(!finds(cv::Mat(240, 320, CV_8UC1, cv::Scalar(90)), TargetScene::box(place)));
+}
+
+QTEST_GUILESS_MAIN(TestRecentLook)
+#include "test_recent_look.moc"
