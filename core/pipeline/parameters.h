@@ -96,9 +96,9 @@ struct ClearanceParameters {
   /// count.
   double smallestThing = 0.1;
   /// Metres: pieces that are smaller than this count only when they are as good as certain; see
-  /// Pieces::doubtful. A falling leaf is in no cell for so long, nor a bird, which reaches half a
-  /// metre with its wings.
-  double doubtfulThing = 0.6;
+  /// Pieces::doubtful. A falling leaf is in no cell for so long. Not more: at 0.6, which would let
+  /// every bird of the yard pass, somebody who walks below a real camera counts too late.
+  double doubtfulThing = 0.4;
 };
 
 /// From what the distance is watched; the smallest leads.
