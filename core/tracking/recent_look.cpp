@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rim = 0.25;           // of the box, on each side
 constexpr double side = 24.0;          // pixels of the patch, about
+constexpr double leastShown = 0.9;     // of the tool: a half that goes out looks like many a thing
 constexpr int smallestPatch = 8;       // pixels
 constexpr double leastVariance = 1.0;  // grey values squared: less looks like everything
 constexpr std::array sizes{1.0, 0.9, 1.11, 0.8, 1.23};  // of what it was
@@ -44,15 +45,17 @@ void RecentLook::remember(const cv::Mat& grey, const cv::Rect2d& box) {
   const cv::Rect seen = cv::Rect(withRim(box)) & cv::Rect({}, grey.size());
   const double scale = std::min(1.0, side / std::sqrt(withRim(box).area()));
   const cv::Size size(cvRound(seen.width * scale), cvRound(seen.height * scale));
-  const cv::Rect2d tool = box & cv::Rect2d(seen);
-  if (std::min(size.width, size.height) < smallestPatch || tool.area() < box.area() / 2) return;
+  const double shown = (box & cv::Rect2d(seen)).area();
+  if (std::min(size.width, size.height) < smallestPatch || shown < leastShown * box.area()) {
+    return;
+  }
   cv::Mat patch;
   cv::resize(grey(seen), patch, size, 0.0, 0.0, cv::INTER_AREA);
   if (varianceOf(patch) < leastVariance) return;
   m_patch = patch;
   m_scale = scale;
-  m_tool = {(tool.x - seen.x) * scale, (tool.y - seen.y) * scale, tool.width * scale,
-            tool.height * scale};
+  m_tool = {(box.x - seen.x) * scale, (box.y - seen.y) * scale, box.width * scale,
+            box.height * scale};
 }
 
 RecentLook::Level RecentLook::levelOf(const cv::Mat& grey, double size) const {

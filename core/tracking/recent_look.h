@@ -14,7 +14,7 @@ namespace boomwatch {
 class RecentLook {
  public:
   /// The tool is followed, and is in `box` for sure. Nothing is remembered of a box that is too
-  /// small, or hardly in the picture.
+  /// small, or not wholly in the picture.
   void remember(const cv::Mat& grey, const cv::Rect2d& box);
   void forget() { *this = {}; }
   /// It is followed again: what was seen while it was away does not matter any more.
@@ -51,7 +51,7 @@ class RecentLook {
   double toolAlone(const cv::Mat& image, cv::Point at) const;
 
   cv::Mat m_patch;                 ///< tool and rim, as small as still tells them from others
-  cv::Rect2d m_tool;               ///< in the patch
+  cv::Rect2d m_tool;               ///< pixels of the patch; reaches outside at the picture's edge
   double m_scale = 1.0;            ///< pixels of the patch an image pixel
   std::deque<double> m_lately;     ///< of the last images without the tool, the best likeness
   std::optional<double> m_likest;  ///< the same of all before these

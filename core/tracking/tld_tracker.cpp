@@ -131,6 +131,11 @@ void TldTracker::start(const ToolModel& model) {
   m_learning = ToolLearning();
 }
 
+/// What lies in `box`, and how much it looks like the tool.
+Detection TldTracker::judged(const cv::Mat& grey, const cv::Rect2d& box) const {
+  return {box, m_tool->likeness(PatchCutter(grey, box, m_tool->patchSize()).cut())};
+}
+
 std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
   if (!m_found) return std::nullopt;
   const Track track = m_keypoints.track(grey);
@@ -138,8 +143,7 @@ std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
       shareInside(*track.box, grey.size()) < smallestShareInside) {
     return std::nullopt;
   }
-  const cv::Mat patch = PatchCutter(grey, *track.box, m_tool->patchSize()).cut();
-  return Detection{*track.box, m_tool->likeness(patch)};
+  return judged(grey, *track.box);
 }
 
 std::optional<Detection> TldTracker::flow(const cv::Mat& grey) {
@@ -191,9 +195,7 @@ std::vector<Detection> TldTracker::detect(const cv::Mat& image, const cv::Mat& g
   std::vector<Detection> detections =
       clusterDetections(m_found ? candidates : sharpened(grey, candidates));
   for (Detection& detection : detections) {
-    detection.box = refineBox(grey, detection.box, *m_tool, 1.0);
-    const PatchCutter cutter(grey, detection.box, m_tool->patchSize());
-    detection.likeness = m_tool->likeness(cutter.cut());
+    detection = judged(grey, refineBox(grey, detection.box, *m_tool, 1.0));
   }
   std::erase_if(detections, [&](const Detection& one) { return m_colours.denies(image, one.box); });
   std::ranges::stable_sort(detections, std::greater(),
@@ -217,8 +219,7 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
   if (m_found && tool && m_colours.scoreOf(image, m_found->box) < tool->score - ahead) lose();
   if (!m_found) {
     if (!tool) return;
-    const cv::Mat patch = PatchCutter(grey, tool->box, m_tool->patchSize()).cut();
-    m_found = Detection{tool->box, m_tool->likeness(patch)};
+    m_found = judged(grey, tool->box);
   } else if (sure) {
     m_colours.observe(image, places, m_found->box);
   } else if (m_colours.denies(image, m_found->box)) {
@@ -231,8 +232,7 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
 
 /// What looks as the tool did when it was last seen, unless it was learnt as something else.
 std::optional<Detection> TldTracker::cameBack(const cv::Mat& grey, const cv::Rect2d& box) const {
-  const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
-  const Detection place{box, m_tool->likeness(patch)};
+  const Detection place = judged(grey, box);
   return place.likeness.relative >= somethingElse ? std::optional(place) : std::nullopt;
 }
 
@@ -275,6 +275,7 @@ void TldTracker::integrate(const cv::Mat& grey, const std::optional<Detection>& 
     return;
   }
   if (followed->likeness.conservative > trustedLikeness) m_trusted = true;
+  // In other light than any that was learnt it still looks as it did a moment ago.
   const bool doubted =
       followed->likeness.relative < doubtedLikeness && !m_recent.recognises(grey, followed->box);
   m_imagesDoubted = doubted ? m_imagesDoubted + 1 : 0;

@@ -39,6 +39,7 @@ class TldTracker : public Tracker {
 
  private:
   void begin(ToolClassifier tool);
+  Detection judged(const cv::Mat& grey, const cv::Rect2d& box) const;
   std::optional<Detection> flow(const cv::Mat& grey);       // by median flow
   std::optional<Detection> consensus(const cv::Mat& grey);  // by keypoints
   ScanLevels levelsOf(const cv::Mat& grey) const;

@@ -19,6 +19,8 @@ class TestRecentLook : public QObject {
   void whatIsFollowedIsForgotten();
   void knowsWhatItLooksLike();
   void remembersNothingOfABoxThatShowsNothing();
+  void theRimMayBeOutsideThePicture();
+  void looksAtImagesOfAnySize();
 };
 
 namespace {
@@ -119,23 +121,39 @@ void TestRecentLook::knowsWhatItLooksLike() {
 }
 
 void TestRecentLook::remembersNothingOfABoxThatShowsNothing() {
-  const auto finds = [](const cv::Mat& grey, const cv::Rect2d& box) {
-    RecentLook look;
-    look.remember(grey, box);
-    lastOf(look, greyOf(scene.wall()), away);
-    return lastOf(look, grey, 2).has_value();
+  const cv::Mat grey = withTarget(place), even(240, 320, CV_8UC1, cv::Scalar(90));
+  const auto keepsTheFirst = [&](const cv::Mat& image, const cv::Rect2d& box) {
+    RecentLook look = seenAt(place);
+    look.remember(image, box);
+    return look.recognises(grey, TargetScene::box(place));
   };
-  const cv::Mat grey = withTarget(place);
-  QVERIFY(!finds(grey, {400.0, 300.0, 80.0, 80.0}));
-  QVERIFY(!finds(grey, {-70.0, 100.0, 80.0, 80.0}));
-  QVERIFY(!finds(grey, {100.0, 100.0, 2.0, 2.0}));
-  QVERIFY(!finds(grey, {100.0, 100.0, 300.0, 1.0}));
-  QVERIFY(!finds(grey, {}));
+  QVERIFY(keepsTheFirst(grey, TargetScene::box(place)));
+  QVERIFY(!keepsTheFirst(greyOf(scene.wall()), TargetScene::box(place)));
+  QVERIFY(keepsTheFirst(grey, {400.0, 300.0, 80.0, 80.0}));
+  QVERIFY(keepsTheFirst(grey, {-70.0, 100.0, 80.0, 80.0}));
+  QVERIFY(keepsTheFirst(grey, {-15.0, 100.0, 80.0, 80.0}));
+  QVERIFY(keepsTheFirst(grey, {100.0, 100.0, 2.0, 2.0}));
+  QVERIFY(keepsTheFirst(grey, {100.0, 100.0, 300.0, 1.0}));
+  QVERIFY(keepsTheFirst(grey, {}));
+  QVERIFY(keepsTheFirst(even, TargetScene::box(place)));
+}
+
+void TestRecentLook::theRimMayBeOutsideThePicture() {
+  const cv::Point2d edge(42.0, 120.0);
+  RecentLook look = seenAt(edge);
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), away));
+  const auto found = lastOf(look, withTarget(edge), 2);
+  QVERIFY(found);
+  QVERIFY(overlapOf(*found, TargetScene::box(edge)) > 0.9);
+}
+
+void TestRecentLook::looksAtImagesOfAnySize() {
   RecentLook look = seenAt(place);
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(640, 3), cv::Size(30, 30)}) {
     QVERIFY(!lastOf(look, cv::Mat(size, CV_8UC1, cv::Scalar(90)), away));
   }
-  QVERIFY(!finds(cv::Mat(240, 320, CV_8UC1, cv::Scalar(90)), TargetScene::box(place)));
+  QVERIFY(!lastOf(look, greyOf(scene.wall()), away));
+  QVERIFY(lastOf(look, withTarget(place), 2));
 }
 
 QTEST_GUILESS_MAIN(TestRecentLook)
