@@ -230,10 +230,13 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
   }
 }
 
-/// What looks as the tool did when it was last seen, unless it was learnt as something else.
-std::optional<Detection> TldTracker::cameBack(const cv::Mat& grey, const cv::Rect2d& box) const {
+/// What looks as the tool did when it was last seen, unless it was learnt as something else or has
+/// other colours.
+std::optional<Detection> TldTracker::cameBack(const cv::Mat& image, const cv::Mat& grey,
+                                              const cv::Rect2d& box) const {
   const Detection place = judged(grey, box);
-  return place.likeness.relative >= somethingElse ? std::optional(place) : std::nullopt;
+  const bool other = place.likeness.relative < somethingElse || m_colours.denies(image, box);
+  return other ? std::nullopt : std::optional(place);
 }
 
 void TldTracker::lose() {
@@ -322,7 +325,7 @@ Track TldTracker::track(const cv::Mat& image) {
     if (isSure() && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
     if (!isSure() && !places) places = m_colours.places(image);
     if (places) askColours(image, grey, *places);
-    if (!m_found && back) m_found = cameBack(grey, *back);
+    if (!m_found && back) m_found = cameBack(image, grey, *back);
     if (m_found) m_recent.follow();
     if (m_found && m_found->likeness.relative >= doubtedLikeness) {
       m_recent.remember(grey, m_found->box);

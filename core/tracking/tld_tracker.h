@@ -54,7 +54,8 @@ class TldTracker : public Tracker {
   bool isSure() const;
   void askColours(const cv::Mat& image, const cv::Mat& grey,
                   const std::vector<ColourLayout::Place>& places);
-  std::optional<Detection> cameBack(const cv::Mat& grey, const cv::Rect2d& box) const;
+  std::optional<Detection> cameBack(const cv::Mat& image, const cv::Mat& grey,
+                                    const cv::Rect2d& box) const;
   void lose();
 
   std::optional<ToolClassifier> m_tool;
