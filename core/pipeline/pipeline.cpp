@@ -182,10 +182,11 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     const RectifiedPair pair =
         stereo.rectify(frame.left, frame.right, *frame.rig, result.parameters.stereo);
     result.image = pair.left;
-    StereoResult stereoResult = stereo.match(pair, result.parameters.stereo);
+    const cv::Mat matched = matchDisparity(pair.left, pair.right, result.parameters.stereo);
     // Not beside the matching: OpenCV keeps to one thread where anybody else is in one of its
     // parallel loops, and the matcher would take twice as long.
     looking = look(result);
+    const StereoResult stereoResult = stereo.reconstruct(pair, matched, result.parameters.stereo);
     result.cloud = stereoResult.surfaces;
     whole = stereoResult.cloud;
     result.rowResidue = stereoResult.rowResidue;
@@ -194,7 +195,8 @@ bool Pipeline::State::sense(Result& result, std::future<void>& looking) {
     return true;
   } catch (const Error& fault) {
     result.message = fault.what();
-    if (!result.image.empty()) looking = look(result);  // the tool goes on all the same
+    // The tool goes on all the same.
+    if (!looking.valid() && !result.image.empty()) looking = look(result);
     return false;
   }
 }

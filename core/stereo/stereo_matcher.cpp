@@ -279,13 +279,13 @@ RectifiedPair StereoStage::rectify(const cv::Mat& left, const cv::Mat& right, co
           remapped(grey(right), m_maps->rightXy, m_maps->rightWeights)};
 }
 
-StereoResult StereoStage::match(const RectifiedPair& pair, const StereoParameters& parameters) {
+StereoResult StereoStage::reconstruct(const RectifiedPair& pair, const cv::Mat& matched,
+                                      const StereoParameters& parameters) {
   StereoResult result;
   const auto& fit = m_rows.fit();
   if (fit) result.rowResidue = fit->residue;
   if (m_refined) result.rowsCorrected = fit->remaining;
   result.left = pair.left;
-  const cv::Mat matched = matchDisparity(pair.left, pair.right, parameters);
   m_rows.look(grey(pair.left), pair.right, matched, m_maps->rightCamera);
   result.disparity = DisparitySmoother::overSpace(m_smoother.overTime(matched, parameters.average),
                                                   parameters.smooth);

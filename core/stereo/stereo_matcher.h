@@ -34,6 +34,10 @@ struct StereoResult {
   std::optional<double> rowsCorrected;
 };
 
+/// Disparities of a rectified pair, CV_32FC1, NaN where nothing matched.
+cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
+                       const StereoParameters& parameters);
+
 /// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject
 /// (method.md section 2, Eq. 5).
 ///
@@ -50,14 +54,16 @@ class StereoStage {
   /// the rig or the parameters cannot be used.
   StereoResult process(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
                        const StereoParameters& parameters) {
-    return match(rectify(left, right, rig, parameters), parameters);
+    const RectifiedPair pair = rectify(left, right, rig, parameters);
+    return reconstruct(pair, matchDisparity(pair.left, pair.right, parameters), parameters);
   }
 
-  /// The first half of process(): whoever needs only the picture need not wait for the second.
+  /// The first part of process(): whoever needs only the picture need not wait for the rest.
   RectifiedPair rectify(const cv::Mat& left, const cv::Mat& right, const StereoRig& rig,
                         const StereoParameters& parameters);
-  /// The second half, of what rectify() gave last; it must have.
-  StereoResult match(const RectifiedPair& pair, const StereoParameters& parameters);
+  /// The last part, of what rectify() gave last, and matchDisparity() of that: CV_32FC1, as large.
+  StereoResult reconstruct(const RectifiedPair& pair, const cv::Mat& matched,
+                           const StereoParameters& parameters);
 
  private:
   struct Maps;
@@ -66,9 +72,5 @@ class StereoStage {
   bool m_refined = false;  ///< whether the last pair was turned by what m_rows found
   DisparitySmoother m_smoother;
 };
-
-/// Disparities of a rectified pair, CV_32FC1, NaN where nothing matched.
-cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
-                       const StereoParameters& parameters);
 
 }  // namespace boomwatch
