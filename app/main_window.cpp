@@ -8,7 +8,6 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
@@ -19,6 +18,7 @@
 #include <QUrl>
 
 #include "pipeline/pipeline.h"
+#include "save_name.h"
 #include "source_dialog.h"
 #include "source_guess.h"
 #include "state_text.h"
@@ -249,14 +249,15 @@ void MainWindow::askForSource(SourceKind kind) {
 }
 
 void MainWindow::askForSnapshot() {
+  const QString suffix = QStringLiteral("png");
   const QString name =
-      QDateTime::currentDateTime().toString(QStringLiteral("'boomwatch-'yyyyMMdd-HHmmss'.png'"));
+      QDateTime::currentDateTime().toString(QStringLiteral("'boomwatch-'yyyyMMdd-HHmmss'.'")) +
+      suffix;
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   // Taken before the dialog covers the window.
   const QPixmap picture = grab();
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save a picture of the window"),
-                                   QDir(folder).filePath(name), tr("Pictures (*.png)"));
+  const QString file = askSaveName(this, tr("Save a picture of the window"),
+                                   QDir(folder).filePath(name), tr("Pictures (*.png)"), suffix);
   if (!file.isEmpty() && !picture.save(file)) {
     m_panes.state->showFault(tr("%1 cannot be written.").arg(file));
   }

@@ -858,8 +858,8 @@
         <translation>Den Abstand von den Teilen des Auslegers überwachen, soweit sie zu sehen sind</translation>
     </message>
     <message>
-        <source>auto: detected where a tool is followed, else what the source knows; scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
-        <translation>auto: erkannt, wo ein Werkzeug verfolgt wird, sonst was die Quelle weiß; scene: nur, was die Quelle selbst weiß; manual: die Werte unten; detected: in jedem Bild am Werkzeug gefunden</translation>
+        <source>auto: detected where a tool is followed or the source has one, else what the source knows; scene: only what the source itself knows; manual: the values below; detected: found in every frame, at the tool</source>
+        <translation>auto: erkannt, wo ein Werkzeug verfolgt wird oder die Quelle eines hat, sonst was die Quelle weiß; scene: nur, was die Quelle selbst weiß; manual: die Werte unten; detected: in jedem Bild am Werkzeug gefunden</translation>
     </message>
     <message>
         <source>Doubtful thing</source>
@@ -1138,6 +1138,14 @@
     <message>
         <source>Nothing was found, but the search ends before caution begins. Raise radius or range.</source>
         <translation>Nichts gefunden, aber die Suche endet, bevor die Vorsicht beginnt. Erhöhen Sie Radius oder Reichweite.</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>Nobody has said where the tool is, and the load is found at it. Draw a box around the tool in the camera picture.</source>
+        <translation>Niemand hat gesagt, wo das Werkzeug ist, an dem die Last gefunden wird. Ziehen Sie im Kamerabild einen Rahmen um das Werkzeug.</translation>
     </message>
     <message>
         <source>Load not seen</source>

@@ -13,6 +13,7 @@
 #include "parameter_editor.h"
 #include "parameter_row.h"
 #include "pipeline/presets.h"
+#include "save_name.h"
 
 namespace boomwatch {
 namespace {
@@ -208,8 +209,9 @@ void ParameterDock::askForPreset() {
 }
 
 void ParameterDock::askWhereToSave() {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save these values as a preset"),
-                                              QStringLiteral("boomwatch.yaml"), presetFilter());
+  const QString suffix = QStringLiteral("yaml");
+  const QString file = askSaveName(this, tr("Save these values as a preset"),
+                                   QStringLiteral("boomwatch.") + suffix, presetFilter(), suffix);
   if (!file.isEmpty()) savePresetFile(file);
 }
 

@@ -28,6 +28,8 @@ QString reasonTitle(Reason reason) {
       return Texts::tr("Camera moves");
     case Reason::ToolLost:
       return Texts::tr("Tool lost");
+    case Reason::NoTool:
+      return Texts::tr("No tool");
     case Reason::NoLoad:
       return Texts::tr("No load");
     case Reason::LoadNotSeen:
@@ -65,6 +67,10 @@ QString reasonText(Reason reason) {
       return Texts::tr(
           "Boom and load are not taken out of the cloud. Bring the tool into sight, or draw its "
           "box anew.");
+    case Reason::NoTool:
+      return Texts::tr(
+          "Nobody has said where the tool is, and the load is found at it. Draw a box around the "
+          "tool in the camera picture.");
     case Reason::NoLoad:
       return Texts::tr("Nobody has said where the load is. Set it among the parameters.");
     case Reason::LoadNotSeen:

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "patch_strip.h"
+#include "save_name.h"
 #include "tool_texts.h"
 
 namespace boomwatch {
@@ -161,8 +162,9 @@ void TrackingDock::askWhatToLoad(bool merge) {
 }
 
 void TrackingDock::askWhereToSave() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the model of the tool"), QStringLiteral("boomwatch.tool"), modelFilter());
+  const QString suffix = QStringLiteral("tool");
+  const QString file = askSaveName(this, tr("Save the model of the tool"),
+                                   QStringLiteral("boomwatch.") + suffix, modelFilter(), suffix);
   if (!file.isEmpty()) emit saveWanted(file);
 }
 

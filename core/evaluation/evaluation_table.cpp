@@ -30,7 +30,9 @@ constexpr std::array columns{Column{"sequence", "sequence", 18},
                              Column{"precision_20px_percent", "prec. %", 7},
                              Column{"false_boxes", "false", 5},
                              Column{"returns", "back", 4},
-                             Column{"found_again", "found", 5}};
+                             Column{"found_again", "found", 5},
+                             Column{"followed_before", "foll.", 5},
+                             Column{"followed_found_again", "again", 5}};
 constexpr std::size_t nameColumns = 3;
 
 constexpr std::string_view explanation =
@@ -38,12 +40,14 @@ constexpr std::string_view explanation =
     "the one whose box was given; frames without a box; frames in which the target cannot be seen "
     "(occl.); the share of the others that have a box, whether it is right or not (acc.); mean and "
     "standard deviation of the confidence, and mean of 1/t, over the frames with a box. AUC is the "
-    "mean "
-    "share of boxes whose overlap with the truth is above 0, 0.05, ... 1; prec. the share whose "
+    "mean share of boxes whose overlap with the truth is above 0, 0.05, ... 1; prec. the share "
+    "whose "
     "centre is at most 20 pixels off; both count a missing box as wrong. false: boxes given while "
     "the target cannot be seen. back, found: how often it came back into sight, and how often it "
-    "was found within 15 frames (overlap at least 0.25). The last rows are means over sequences; "
-    "counts are added up. csrt and opencv_csrt are the same engine; ours says when it is lost.\n";
+    "was found within 15 frames (overlap at least 0.25). foll., again: the same of those times in "
+    "which the tracker was on the target when it went out of sight; what was lost before, is not "
+    "found again. The last rows are means over sequences; counts are added up. csrt and "
+    "opencv_csrt are the same engine; ours says when it is lost.\n";
 
 void addNumbers(Cells& cells, const TrackScore& score) {
   constexpr double percent = 100.0;
@@ -54,7 +58,8 @@ void addNumbers(Cells& cells, const TrackScore& score) {
              fixedText(score.confidenceSpread, 3), fixedText(score.fps, 1),
              fixedText(score.successArea, 3), fixedText(score.precision, 1, percent),
              std::to_string(score.falseBoxes), std::to_string(score.returns),
-             std::to_string(score.refound)}) {
+             std::to_string(score.refound), std::to_string(score.followed),
+             std::to_string(score.followedRefound)}) {
     cells.push_back(std::move(cell));
   }
 }

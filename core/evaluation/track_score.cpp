@@ -50,15 +50,19 @@ bool isOnTarget(const TrackedFrame& frame, const std::optional<cv::Rect2d>& trut
 
 void countReturns(TrackScore& score, std::span<const TrackedFrame> frames,
                   std::span<const std::optional<cv::Rect2d>> truth) {
-  for (std::size_t i = 1; i < truth.size(); ++i) {
-    if (!truth[i] || truth[i - 1]) continue;
-    ++score.returns;
-    const std::size_t end = std::min(i + refoundWithin, truth.size());
-    for (std::size_t k = i; k < end; ++k) {
-      if (!isOnTarget(frames[k], truth[k])) continue;
-      ++score.refound;
-      break;
+  bool followed = true;  // it was told where the target is in the frame before these
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (!truth[i]) continue;
+    if (i > 0 && !truth[i - 1]) {
+      const std::size_t end = std::min(i + refoundWithin, truth.size());
+      std::size_t k = i;
+      while (k < end && !isOnTarget(frames[k], truth[k])) ++k;
+      ++score.returns;
+      score.followed += followed;
+      score.refound += k < end;
+      score.followedRefound += followed && k < end;
     }
+    followed = isOnTarget(frames[i], truth[i]);
   }
 }
 
@@ -120,6 +124,8 @@ TrackScore meanOf(std::span<const TrackScore> scores) {
     result.falseBoxes += score.falseBoxes;
     result.returns += score.returns;
     result.refound += score.refound;
+    result.followed += score.followed;
+    result.followedRefound += score.followedRefound;
   }
   for (const auto value : {&TrackScore::lostShare, &TrackScore::accuracy,
                            &TrackScore::confidenceMean, &TrackScore::confidenceSpread,

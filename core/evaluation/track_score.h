@@ -34,6 +34,10 @@ struct TrackScore {
   std::size_t falseBoxes = 0;  ///< boxes given while the target cannot be seen
   std::size_t returns = 0;     ///< how often the target came back into sight
   std::size_t refound = 0;     ///< of those, found within refoundWithin frames
+  /// Of the returns, those of a target that the tracker was on when it went out of sight: what it
+  /// had lost before, it cannot find *again*.
+  std::size_t followed = 0;
+  std::size_t followedRefound = 0;  ///< of those, found within refoundWithin frames
 };
 
 /// Frames, from the first in which the target is seen again, in which it must be found.

@@ -18,6 +18,8 @@ std::string_view toString(Reason reason) {
       return "scene_moves";
     case Reason::ToolLost:
       return "tool_lost";
+    case Reason::NoTool:
+      return "no_tool";
     case Reason::NoLoad:
       return "no_load";
     case Reason::LoadNotSeen:

@@ -16,6 +16,7 @@ enum class Reason {
   FewDepthPixels,   ///< less than min_fill of the cloud was measured
   SceneMoves,       ///< the picture moves as a whole: the camera is not still
   ToolLost,         ///< a tracker runs, and has not known for max_tool_age where the tool is
+  NoTool,           ///< the load is to be detected, and nobody said where the tool is
   NoLoad,           ///< nobody said where the load is
   LoadNotSeen,      ///< it is to be detected, and was not for longer than max_load_age
   LoadOutside,      ///< the load is not inside the bounds

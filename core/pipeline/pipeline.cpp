@@ -12,6 +12,7 @@
 #include "load/load_detector.h"
 #include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
+#include "pipeline/load_source.h"
 #include "pipeline/surroundings.h"
 #include "pipeline/warning_machine.h"
 #include "stereo/stereo_matcher.h"
@@ -44,21 +45,6 @@ constexpr double matcherSmear = 2.0;
 /// Of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
 constexpr double depthCameraNoise = 0.0014;
 
-/// Auto has become one of the others.
-LoadSource loadSource(const Result& result) {
-  const LoadSource wanted = result.parameters.load.source;
-  if (wanted != LoadSource::Auto) return wanted;
-  return result.tool.running() ? LoadSource::Detected : LoadSource::Scene;
-}
-
-Reason loadReason(const Result& result) {
-  const std::optional<OrientedBox>& load = result.load;
-  const Bounds& bounds = result.parameters.bounds;
-  if (!load && loadSource(result) == LoadSource::Detected) return Reason::LoadNotSeen;
-  if (!load || !isUsable(*load)) return Reason::NoLoad;
-  return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;
-}
-
 double removedShare(const StaticScene& scene) {
   const std::size_t all = scene.statics.size() + scene.removed.size() + scene.noise.size();
   return all > 0 ? static_cast<double>(scene.removed.size()) / static_cast<double>(all) : 0.0;
@@ -79,6 +65,7 @@ struct Pipeline::State {
   LoadMotion motion;
   WarningMemory warning;
   std::optional<double> unmaskedSince;  ///< stamp from which the crane was not told from the scene
+  bool craneIsTaught = false;           ///< by frames in which nobody had said where the tool is
   int untaught = 0;  ///< frames until the model may know what could have been the load
   std::shared_ptr<const Cloud> whole;  ///< of this frame; with the rims of tool and load
   double depthPerPixel = 0.0;          ///< 1 / (f B) of this frame's stereo pair; 0 if it is none
@@ -90,6 +77,7 @@ struct Pipeline::State {
   /// Fills load, loadFault and loadAge; returns what is to be taken out of the cloud for it.
   std::optional<ViewedBox> findLoad(Result& result);
   StaticScene separate(SegmentedCloud segments, const Result& result);
+  bool hasTaughtCrane(const Result& result);
   bool isEvidence(const Result& result, Reason frameFault);
   void countWithheld(const Result& result);
   Reason whyNothing(const Result& result, Reason frameFault) const;
@@ -148,10 +136,11 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.fill = verdict.fill;
   clock.lap("checks");  // as far as it had to be waited for
 
-  if (verdict.modelIsStale) state.surroundings.forget();
+  if (verdict.modelIsStale || state.hasTaughtCrane(result)) state.surroundings.forget();
   if (state.isEvidence(result, verdict.reason)) {
     result.modelRebuilt = state.surroundings.learn(*result.cloud, result.scene, parameters);
     state.countWithheld(result);
+    state.craneIsTaught = state.craneIsTaught || !isToolNamed(result);
   }
   clock.lap("model");
 
@@ -233,7 +222,7 @@ std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
   const double noise = depthPerPixel > 0.0 ? matchingNoise * depthPerPixel : depthCameraNoise;
   const LoadSource source = loadSource(result);
   const bool detected = source == LoadSource::Detected;
-  if (detected) {
+  if (detected && isToolNamed(result)) {
     holdTool(result);
     const double stamp = result.frame->stamp, maxAge = result.parameters.validity.maxLoadAge;
     const LoadDetection detection =
@@ -251,7 +240,9 @@ std::optional<ViewedBox> Pipeline::State::findLoad(Result& result) {
   } else {
     loads.reset();
     held.reset();
-    result.load = source == LoadSource::Manual ? parameters.box() : result.frame->load;
+    if (detected) result.loadFault = LoadFault::NoToolPoint;
+    if (source == LoadSource::Manual) result.load = parameters.box();
+    if (source == LoadSource::Scene) result.load = result.frame->load;
   }
   // Not the bare box: the load's own surface lies on it, and half of that would stay as obstacle.
   if (!result.load || !isUsable(*result.load)) return std::nullopt;
@@ -270,6 +261,12 @@ StaticScene Pipeline::State::separate(SegmentedCloud segments, const Result& res
   craneMemory.note(result.frame->stamp, scene.toolCluster);
   craneMemory.note(result.frame->stamp, scene.boomCut);
   return scene;
+}
+
+/// Now that it is known where the tool is, but before that was, the model learnt the whole scene.
+/// The crane would be an obstacle to its own load for as long as it takes to leave.
+bool Pipeline::State::hasTaughtCrane(const Result& result) {
+  return result.tool.point && std::exchange(craneIsTaught, false);
 }
 
 /// A frame that is no evidence of anything must not teach the model, nor make it forget. Nor must

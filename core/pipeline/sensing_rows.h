@@ -8,9 +8,10 @@ namespace boomwatch::table_row {
 inline constexpr auto sensingRows = std::to_array<ParameterInfo>({
     row<&P::load, &L::source>("load_source",
                               {TR("Load"), TR("Load given by"),
-                               TR("auto: detected where a tool is followed, else what the source "
-                                  "knows; scene: only what the source itself knows; manual: the "
-                                  "values below; detected: found in every frame, at the tool")},
+                               TR("auto: detected where a tool is followed or the source has one, "
+                                  "else what the source knows; scene: only what the source itself "
+                                  "knows; manual: the values below; detected: found in every "
+                                  "frame, at the tool")},
                               {}, loadNames),
     row<&P::load, &L::x>(
         "load_x",

@@ -107,9 +107,10 @@ void TestEvaluation::theTargetGoesAndComesBackWhereAskedFor() {
       {"tracking", path("one"), "--tracker", "klt", "--absences", "1", "--output", path("out")});
   QCOMPARE(result.exitCode, 0);
   const QStringList lines = linesOf(path("out/tracking.csv"));
-  QVERIFY2(lines.value(0).endsWith("returns,found_again"), qPrintable(lines.value(0)));
+  QVERIFY2(lines.value(0).endsWith("found_again,followed_before,followed_found_again"),
+           qPrintable(lines.value(0)));
   QVERIFY2(lines.value(1).startsWith("one+absences,klt,complete,109,"), qPrintable(lines.value(1)));
-  QVERIFY2(lines.value(1).endsWith(",1,0"), qPrintable(lines.value(1)));
+  QVERIFY2(lines.value(1).endsWith(",1,0,1,0"), qPrintable(lines.value(1)));
 }
 
 void TestEvaluation::oneBadSequenceAmongSeveral() {

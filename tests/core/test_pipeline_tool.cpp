@@ -77,6 +77,8 @@ class TestPipelineTool : public QObject {
   Q_OBJECT
  private slots:
   void autoDetectsWhereAToolIsFollowedAndElseAsksTheScene();
+  void withoutTheToolThatTheSceneHasThereIsNoDistance();
+  void whatWasLearntOfTheCraneBeforeTheToolWasKnownIsForgotten();
   void withoutAToolEverythingIsAsItWas();
   void theToolIsTakenOutWhereItIsTracked();
   void withinTheLimitItIsTakenOutWhereItMustBe();
@@ -257,6 +259,42 @@ void TestPipelineTool::autoDetectsWhereAToolIsFollowedAndElseAsksTheScene() {
   QVERIFY(detected.tool.running());
   QVERIFY(!detected.load);
   QCOMPARE(text(detected.clearance.reason), text(Reason::LoadNotSeen));
+}
+
+/// The scene's load would touch the boom, which nobody can take out.
+void TestPipelineTool::withoutTheToolThatTheSceneHasThereIsNoDistance() {
+  Chain chain;
+  chain.parameters.load.source = LoadSource::Auto;
+  const auto next = [&] {
+    auto frame = std::make_shared<Frame>(*boomFrame(chain.sequence++));
+    frame->load = OrientedBox{{0, 0, 2.0}, {0.2, 0.2, 0.2}};
+    frame->tool = box;
+    return chain.pipeline.process(frame, chain.parameters);
+  };
+  QVERIFY(next().tool.running());
+  chain.pipeline.order(ForgetTool{});
+  for (int n = 0; n < 6; ++n) {
+    const Result result = next();
+    QVERIFY(!result.tool.running() && !result.load);
+    QCOMPARE(text(result.clearance.reason), text(Reason::NoTool));
+  }
+}
+
+/// A load that touches the boom: from the first frame in which the tool is known on, nothing is
+/// said that only the boom in the model would be the reason of.
+void TestPipelineTool::whatWasLearntOfTheCraneBeforeTheToolWasKnownIsForgotten() {
+  Chain chain;
+  chain.parameters.load.x = 0.2;
+  QVERIFY(chain.frames(10).clearance.nearest->distance < 0.1);
+  chain.pipeline.order(TrackBox{box});
+  for (int n = 0; n < 10; ++n) {
+    const Result result = chain.frames(1);
+    QCOMPARE(result.scene.toolMask, ToolMask::Taken);
+    QVERIFY(!boomIsInModel(chain.pipeline));
+    QVERIFY(!result.clearance.nearest || result.clearance.nearest->distance > 0.8);
+  }
+  // Once only: what is learnt with the tool stays.
+  QVERIFY(chain.frames(1).clearance.nearest);
 }
 
 QTEST_GUILESS_MAIN(TestPipelineTool)

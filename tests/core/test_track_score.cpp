@@ -31,6 +31,9 @@ class TestTrackScore : public QObject {
   void hiddenFramesCountForNothingButFalseBoxes();
   void foundAgainWithinFifteenFrames_data();
   void foundAgainWithinFifteenFrames();
+  void whatWasLostBeforeIsNotFoundAgain_data();
+  void whatWasLostBeforeIsNotFoundAgain();
+  void aTargetThatGoesAtOnceWasFollowed();
   void whatNoFrameToldIsAbsent();
   void meansCountEverySequenceTheSame();
   void csvHasOneFieldAColumn();
@@ -129,6 +132,42 @@ void TestTrackScore::foundAgainWithinFifteenFrames() {
   const TrackScore score = scoreOf(frames, truth);
   QCOMPARE(score.returns, std::size_t{1});
   QCOMPARE(score.refound, std::size_t(found));
+  // It was lost all the time before.
+  QCOMPARE(score.followed, std::size_t{0});
+  QCOMPARE(score.followedRefound, std::size_t{0});
+}
+
+void TestTrackScore::whatWasLostBeforeIsNotFoundAgain_data() {
+  QTest::addColumn<bool>("on");  // the target, in the last frame before it goes
+  QTest::addColumn<bool>("found");
+  QTest::newRow("followed and found") << true << true;
+  QTest::newRow("followed and not found") << true << false;
+  QTest::newRow("lost and found") << false << true;
+  QTest::newRow("lost for good") << false << false;
+}
+
+void TestTrackScore::whatWasLostBeforeIsNotFoundAgain() {
+  QFETCH(bool, on);
+  QFETCH(bool, found);
+  const cv::Rect2d beside(here.x + here.width, here.y, here.width, here.height);
+  const Truth truth{here, here, std::nullopt, std::nullopt, here};
+  const std::vector<TrackedFrame> frames{seen(on ? beside : here), seen(on ? here : beside), lost(),
+                                         lost(), seen(found ? here : beside)};
+  const TrackScore score = scoreOf(frames, truth);
+  QCOMPARE(score.returns, std::size_t{1});
+  QCOMPARE(score.refound, std::size_t(found));
+  QCOMPARE(score.followed, std::size_t(on));
+  QCOMPARE(score.followedRefound, std::size_t(on && found));
+  const TrackScore both = meanOf(std::vector<TrackScore>{score, score});
+  QCOMPARE(both.followed, 2 * score.followed);
+  QCOMPARE(both.followedRefound, 2 * score.followedRefound);
+}
+
+void TestTrackScore::aTargetThatGoesAtOnceWasFollowed() {
+  const Truth truth{std::nullopt, here};
+  const TrackScore score = scoreOf(std::vector<TrackedFrame>{lost(), seen(here)}, truth);
+  QCOMPARE(score.followed, std::size_t{1});
+  QCOMPARE(score.followedRefound, std::size_t{1});
 }
 
 void TestTrackScore::whatNoFrameToldIsAbsent() {
