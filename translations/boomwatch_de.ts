@@ -1028,8 +1028,8 @@
         <translation>Das Bild bewegt sich als Ganzes. Kamera ruhig halten und warten.</translation>
     </message>
     <message>
-        <source>Nobody has said where the load is. Set it among the parameters.</source>
-        <translation>Niemand hat gesagt, wo die Last ist. Bei den Parametern angeben.</translation>
+        <source>Nobody has said where the load is. Draw a box around the tool that holds it, or set it among the parameters.</source>
+        <translation>Niemand hat gesagt, wo die Last ist. Ziehen Sie einen Rahmen um das Werkzeug, das sie hält, oder geben Sie sie bei den Parametern an.</translation>
     </message>
     <message>
         <source>The load is not inside the bounds. Move it or widen the bounds.</source>

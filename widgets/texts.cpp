@@ -72,7 +72,9 @@ QString reasonText(Reason reason) {
           "Nobody has said where the tool is, and the load is found at it. Draw a box around the "
           "tool in the camera picture.");
     case Reason::NoLoad:
-      return Texts::tr("Nobody has said where the load is. Set it among the parameters.");
+      return Texts::tr(
+          "Nobody has said where the load is. Draw a box around the tool that holds it, or set it "
+          "among the parameters.");
     case Reason::LoadNotSeen:
       return Texts::tr("The load is not seen at the tool. Turn the tool, or give its sizes.");
     case Reason::LoadOutside:
