@@ -136,7 +136,8 @@ Result Pipeline::process(const FramePtr& frame, const Parameters& parameters) {
   result.fill = verdict.fill;
   clock.lap("checks");  // as far as it had to be waited for
 
-  if (verdict.modelIsStale || state.hasTaughtCrane(result)) state.surroundings.forget();
+  // In this order: asked always, so that what is forgotten anyway is not forgotten again.
+  if (state.hasTaughtCrane(result) || verdict.modelIsStale) state.surroundings.forget();
   if (state.isEvidence(result, verdict.reason)) {
     result.modelRebuilt = state.surroundings.learn(*result.cloud, result.scene, parameters);
     state.countWithheld(result);
