@@ -1358,8 +1358,8 @@
         <translation>Lernen ist ausgesetzt: Was gesehen wird, ist nicht sicher genug, um daraus zu lernen. Es geht von selbst weiter.</translation>
     </message>
     <message>
-        <source>Model: %1 views of the tool, %2 of other things.</source>
-        <translation>Modell: %1 Ansichten des Werkzeugs, %2 von anderem.</translation>
+        <source>Model: views of the tool %1, of other things %2.</source>
+        <translation>Modell: Ansichten des Werkzeugs %1, von anderem %2.</translation>
     </message>
 </context>
 <context>

@@ -34,6 +34,8 @@ class PointCloudView : public QWidget {
   /// What is seen now; null without OpenGL.
   QImage image() const;
 
+  QSize minimumSizeHint() const override { return {160, 120}; }
+
  public slots:
   /// Looks along the camera's axis from behind it, at the whole of the bounds.
   void resetView();

@@ -122,7 +122,7 @@ QString learningSentence(LearningState state) {
 }
 
 QString modelText(const ToolModel& model) {
-  return ToolTexts::tr("Model: %1 views of the tool, %2 of other things.")
+  return ToolTexts::tr("Model: views of the tool %1, of other things %2.")
       .arg(model.positives.size())
       .arg(model.negatives.size());
 }

@@ -17,7 +17,7 @@ QString toolLabel(const ToolTrack& tool);
 QString toolSentence(const ToolTrack& tool, const TrackingParameters& parameters);
 /// What becomes of what the tracker sees; says why when it is suspended.
 QString learningSentence(LearningState state);
-/// How much a model knows: "12 views of the tool, 40 of other things".
+/// How much a model knows: "views of the tool 12, of other things 40".
 QString modelText(const ToolModel& model);
 
 }  // namespace boomwatch

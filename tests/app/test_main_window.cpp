@@ -68,6 +68,20 @@ class TestMainWindow : public QObject {
     for (QDockWidget* dock : window.panes().docks) QVERIFY(dock->isVisible());
   }
 
+  void everyPaneKeepsAPlaceInASmallWindow() {
+    MainWindow window(small(), nullptr);
+    window.show();
+    window.resize(900, 600);
+    QCoreApplication::processEvents();
+    const Panes& panes = window.panes();
+    for (const QWidget* pane :
+         {static_cast<QWidget*>(panes.cloud), static_cast<QWidget*>(panes.camera),
+          static_cast<QWidget*>(panes.history)}) {
+      QVERIFY(pane->height() >= 100 && pane->width() >= 160);
+    }
+    QVERIFY2(window.height() <= 600, "taller than was asked for");
+  }
+
   void layoutThemeAndSourceAreRemembered() {
     {
       Worker worker(small(), opening({}));

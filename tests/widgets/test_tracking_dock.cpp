@@ -196,7 +196,7 @@ void TestTrackingDock::saysWhatIsLearnt() {
   tool.model = model(12, 40);
   dock.setDisplay(display(tool));
   QVERIFY(dock.learningText().contains("suspended: what is seen is not sure enough"));
-  QVERIFY(dock.modelText().contains("12 views of the tool, 40 of other things"));
+  QVERIFY(dock.modelText().contains("views of the tool 12, of other things 40"));
   dock.setDisplay(nullptr);
   QVERIFY(dock.learningText().isEmpty() && dock.modelText().isEmpty());
 }
