@@ -91,7 +91,7 @@ QString toolLabel(const ToolTrack& tool) {
   if (!tool.box) return {};
   const QString text = tool.state == TrackState::Refound ? ToolTexts::tr("Tool found again %1")
                                                          : ToolTexts::tr("Tool %1");
-  const QString label = text.arg(percent(tool.confidence));
+  QString label = text.arg(percent(tool.confidence));
   if (tool.age == 0.0) return label;
   return label +
          (tool.isDoubted ? ToolTexts::tr(", cannot be there") : ToolTexts::tr(", no depth"));

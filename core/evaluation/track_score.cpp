@@ -26,6 +26,7 @@ std::optional<double> spreadOf(const std::vector<double>& values) {
   const auto mean = meanOf(values);
   if (!mean) return std::nullopt;
   std::vector<double> squares;
+  squares.reserve(values.size());
   for (const double value : values) squares.push_back((value - *mean) * (value - *mean));
   return std::sqrt(*meanOf(squares));
 }

@@ -116,6 +116,7 @@ std::optional<RecentLook::Place> RecentLook::bestOf(const std::vector<Level>& le
 std::optional<cv::Rect2d> RecentLook::find(const cv::Mat& grey) {
   if (m_patch.empty()) return std::nullopt;
   std::vector<Level> levels;
+  levels.reserve(std::size(sizes));
   for (const double size : sizes) levels.push_back(levelOf(grey, size));
   const std::optional<Place> best = bestOf(levels);
   if (!best) return std::nullopt;
