@@ -74,9 +74,8 @@ class TestMainWindow : public QObject {
     window.resize(900, 600);
     QCoreApplication::processEvents();
     const Panes& panes = window.panes();
-    for (const QWidget* pane :
-         {static_cast<QWidget*>(panes.cloud), static_cast<QWidget*>(panes.camera),
-          static_cast<QWidget*>(panes.history)}) {
+    for (const QWidget* pane : std::initializer_list<const QWidget*>{
+             panes.cloud, panes.camera, panes.probability, panes.environment, panes.history}) {
       QVERIFY(pane->height() >= 100 && pane->width() >= 160);
     }
     QVERIFY2(window.height() <= 600, "taller than was asked for");
