@@ -5,9 +5,11 @@
 #include <QCoreApplication>
 #include <array>
 
-#include "frame/error.h"
-#include "pipeline/parameter_table.h"
-#include "pipeline/presets.h"
+#include "base/error.h"
+#include "parameters/parameter_table.h"
+#include "parameters/parameter_text.h"
+#include "pipeline/parameter_checks.h"
+#include "pipeline/preset_file.h"
 #include "simulation/yard/yard_options.h"
 #include "tracking/tracker.h"
 
@@ -129,12 +131,12 @@ void setTracker(Parameters& parameters, const QCommandLineParser& parser) {
 
 /// Tool and tracker: where they begin, and what is kept of them.
 void readTool(CommandLine& line, const QCommandLineParser& parser) {
-  const auto numbers = [&](const QString& name, qsizetype count, int smallestSize) {
+  const auto numbers = [&](const QString& name, qsizetype count, int minSize) {
     const QString option = QStringLiteral("--") + name;
     const QStringList parts = fields(option, parser.value(name), count);
     std::vector<int> values;
     for (const QString& part : parts) {
-      values.push_back(wholeNumber(option, part, values.size() < 2 ? 0 : smallestSize));
+      values.push_back(wholeNumber(option, part, values.size() < 2 ? 0 : minSize));
     }
     return values;
   };
@@ -143,7 +145,7 @@ void readTool(CommandLine& line, const QCommandLineParser& parser) {
     line.tool = cv::Point(pixel[0], pixel[1]);
   }
   if (parser.isSet(QStringLiteral("track"))) {
-    const auto box = numbers(QStringLiteral("track"), 4, static_cast<int>(Tracker::smallestSide));
+    const auto box = numbers(QStringLiteral("track"), 4, static_cast<int>(Tracker::minSide));
     line.track = cv::Rect(box[0], box[1], box[2], box[3]);
   }
   for (const QString& file : parser.values(QStringLiteral("tracker-model"))) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 #include "sources/frame_source.h"
 
 namespace boomwatch {

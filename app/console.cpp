@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "main_window.h"
+#include "open_source.h"
 #include "theme.h"
 #include "worker.h"
 

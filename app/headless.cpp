@@ -5,11 +5,14 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "frame/error.h"
+#include "base/error.h"
+#include "open_source.h"
+#include "pipeline/parameter_checks.h"
 #include "pipeline/pipeline.h"
 #include "result_json.h"
 #include "stereo/row_alignment.h"
 #include "tool_models.h"
+#include "tracking/tool_model_file.h"
 
 namespace boomwatch {
 namespace {
@@ -118,7 +121,7 @@ class HeadlessRun {
 
   /// No fault of this run. Once is enough.
   void sayIfRowsDiffer(const Result& result) {
-    if (m_rowsTold || result.rowResidue.value_or(0.0) <= mostRowResidue) return;
+    if (m_rowsTold || result.rowResidue.value_or(0.0) <= maxRowResidue) return;
     m_rowsTold = true;
     complain("the calibration does not fit: the rows of left and right differ by " +
              QString::number(*result.rowResidue, 'f', 1).toStdString() +

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include "pipeline/warning.h"
+#include "pipeline/warning_level.h"
 
 namespace boomwatch {
 

@@ -1,14 +1,14 @@
 #include <QApplication>
 #include <cstdio>
 
+#include "base/error.h"
+#include "base/freed_memory.h"
 #include "command_line.h"
 #include "console.h"
-#include "evaluate.h"
-#include "experiments_run.h"
-#include "export_run.h"
-#include "frame/error.h"
-#include "frame/freed_memory.h"
 #include "headless.h"
+#include "lab/evaluate.h"
+#include "lab/experiments_run.h"
+#include "lab/export_run.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "display.h"
-#include "pipeline/parameters.h"
-#include "pipeline/warning.h"
+#include "parameters/parameters.h"
+#include "pipeline/warning_level.h"
 #include "sources/player.h"
 #include "tracking/tool_tracking.h"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include "environment/grid.h"
+#include "environment/grid_geometry.h"
 #include "pipeline/result.h"
 
 namespace boomwatch {

@@ -1,4 +1,5 @@
 #include "tool_models.h"
+#include "tracking/tool_model_file.h"
 
 #include <vector>
 

@@ -5,6 +5,7 @@
 
 #include "mailbox.h"
 #include "messages.h"
+#include "open_source.h"
 #include "worker_loop.h"
 
 namespace boomwatch {

@@ -5,9 +5,11 @@
 #include <thread>
 #include <utility>
 
-#include "frame/error.h"
+#include "base/error.h"
+#include "pipeline/parameter_checks.h"
 #include "stereo/row_alignment.h"
 #include "tool_models.h"
+#include "tracking/tool_model_file.h"
 
 namespace boomwatch {
 namespace {
@@ -16,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 // A live source is waited for this long at a time, so that commands are obeyed soon.
 constexpr std::chrono::milliseconds patience(50);
 constexpr std::chrono::milliseconds openingCheck(20);
-constexpr std::size_t mostNotices = 50;
+constexpr std::size_t maxNotices = 50;
 
 }  // namespace
 
@@ -231,7 +233,7 @@ void WorkerLoop::checkAge() {
 }
 
 void WorkerLoop::checkRows(const Result& result) {
-  if (m_rowsTold || result.rowResidue.value_or(0.0) <= mostRowResidue) return;
+  if (m_rowsTold || result.rowResidue.value_or(0.0) <= maxRowResidue) return;
   m_rowsTold = true;
   const auto kind = result.rowsCorrected ? Notice::Kind::RowsCorrected : Notice::Kind::Calibration;
   tell(kind, QString::number(*result.rowResidue, 'f', 1).toStdString());
@@ -267,7 +269,7 @@ void WorkerLoop::tell(Notice::Kind kind, const std::string& text) {
   const Notice notice{kind, QString::fromStdString(text)};
   post([&](News& news) {
     if (!news.notices.empty() && news.notices.back() == notice) return;
-    if (news.notices.size() == mostNotices) news.notices.erase(news.notices.begin());
+    if (news.notices.size() == maxNotices) news.notices.erase(news.notices.begin());
     news.notices.push_back(notice);
   });
 }

@@ -2,8 +2,8 @@
 # them into the program, at :/i18n.
 #
 # lupdate does not expand macros: the parameter table's short TR() is spelled out for it in a copy.
-set(parameter_rows ${CMAKE_SOURCE_DIR}/core/pipeline/model_rows.h
-  ${CMAKE_SOURCE_DIR}/core/pipeline/sensing_rows.h)
+set(parameter_rows ${CMAKE_SOURCE_DIR}/core/parameters/environment_rows.h
+  ${CMAKE_SOURCE_DIR}/core/parameters/load_and_stereo_rows.h)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${parameter_rows})
 set(parameter_texts "")
 foreach(rows IN LISTS parameter_rows)

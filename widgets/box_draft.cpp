@@ -25,7 +25,7 @@ QRect BoxDraft::box() const {
 }
 
 bool BoxDraft::isLargeEnough() const {
-  return std::min(box().width(), box().height()) >= Tracker::smallestSide;
+  return std::min(box().width(), box().height()) >= Tracker::minSide;
 }
 
 }  // namespace boomwatch

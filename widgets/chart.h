@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QRectF>
 
-#include "experiments/figure.h"
+#include "report/figure.h"
 
 class QPainter;
 

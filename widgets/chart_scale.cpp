@@ -7,14 +7,14 @@
 namespace boomwatch {
 namespace {
 
-constexpr double leastOfLogarithm = 1e-9;
-constexpr int mostTicks = 8;
+constexpr double minOfLogarithm = 1e-9;
+constexpr int maxTicks = 8;
 
-/// The finest of 1, 2, 5 x 10^n that divides `span` into at most mostTicks.
+/// The finest of 1, 2, 5 x 10^n that divides `span` into at most maxTicks.
 double stepFor(double span) {
-  const double decade = std::pow(10.0, std::floor(std::log10(span / mostTicks)));
+  const double decade = std::pow(10.0, std::floor(std::log10(span / maxTicks)));
   for (const double step : {1.0, 2.0, 5.0}) {
-    if (span / (step * decade) <= mostTicks + 1e-9) return step * decade;
+    if (span / (step * decade) <= maxTicks + 1e-9) return step * decade;
   }
   return 10.0 * decade;
 }
@@ -30,7 +30,7 @@ ChartScale::ChartScale(const Axis& axis, double low, double high)
       m_low(axis.low.value_or(low)),
       m_high(axis.high.value_or(high)) {
   if (m_logarithmic) {
-    m_low = std::max(m_low, leastOfLogarithm);
+    m_low = std::max(m_low, minOfLogarithm);
     m_high = std::max(m_high, m_low);
     if (m_high <= m_low * 1.001) m_low /= 2.0, m_high *= 2.0;
   } else if (!(m_high - m_low > 1e-9 * std::max(1.0, std::abs(m_low)))) {
@@ -45,7 +45,7 @@ ChartScale::ChartScale(const Axis& axis, double low, double high)
 
 double ChartScale::shareOf(double value) const {
   if (!m_logarithmic) return (value - m_low) / (m_high - m_low);
-  return std::log(std::max(value, leastOfLogarithm) / m_low) / std::log(m_high / m_low);
+  return std::log(std::max(value, minOfLogarithm) / m_low) / std::log(m_high / m_low);
 }
 
 std::vector<ChartScale::Tick> ChartScale::ticks() const {

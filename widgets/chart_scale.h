@@ -3,7 +3,7 @@
 #include <QString>
 #include <vector>
 
-#include "experiments/figure.h"
+#include "report/figure.h"
 
 namespace boomwatch {
 

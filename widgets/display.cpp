@@ -56,7 +56,7 @@ QImage modelImage(const EnvironmentModel& model, MapColouring colouring) {
 
 QImage probabilityImage(const EnvironmentModel& model, const ModelParameters& parameters,
                         MapColouring colouring) {
-  const auto full = static_cast<float>(highestProbability(parameters));
+  const auto full = static_cast<float>(maxProbability(parameters));
   return mapImage(model, colouring, [full](float probability, std::uint8_t) {
     const float share = std::clamp(probability / full, 0.0F, 1.0F);
     return static_cast<std::uint8_t>(freeBrightness + share * (255 - freeBrightness) + 0.5F);
@@ -160,7 +160,7 @@ std::array<Rgba, 256> colourTable(MapColouring colouring) {
 }
 
 std::uint8_t brightnessOfLevel(std::uint8_t level) {
-  return static_cast<std::uint8_t>(255 - (level - 1) * (255 - farthestBrightness) / 254);
+  return static_cast<std::uint8_t>(255 - (level - 1) * (255 - maxBrightness) / 254);
 }
 
 DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options) {

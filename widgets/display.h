@@ -67,7 +67,7 @@ std::array<DrawnCloud::Rgba, 256> colourTable(MapColouring colouring);
 
 /// Indices into colourTable. An observed cell with nothing in it is darker than every depth.
 inline constexpr std::uint8_t freeBrightness = 20;
-inline constexpr std::uint8_t farthestBrightness = 64;  ///< of an occupied cell
+inline constexpr std::uint8_t maxBrightness = 64;       ///< of an occupied cell
 inline constexpr std::uint8_t darkestPointColour = 70;  ///< of a point of the cloud
 
 /// The colour of a depth level 1..255: nearer is brighter.

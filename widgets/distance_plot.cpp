@@ -17,7 +17,7 @@ using Moment = DistanceHistory::Moment;
 
 /// The zones and half as much above them; doubled until everything is in it, so that the scale
 /// seldom changes.
-double highestShown(const std::deque<Moment>& moments, double caution) {
+double maxShown(const std::deque<Moment>& moments, double caution) {
   double highest = 0.0;
   for (const Moment& moment : moments) {
     highest = std::max({highest, moment.distance.value_or(0.0), moment.truth.value_or(0.0)});
@@ -75,8 +75,7 @@ Figure DistancePlot::figure() const {
   const double now = m_history.now();
   Figure figure;
   figure.x = {words(tr("time (s), 0 is now")), false, -DistanceHistory::span, 0.0};
-  figure.y = {words(tr("distance (m)")), false, 0.0,
-              highestShown(moments, m_warning.cautionDistance)};
+  figure.y = {words(tr("distance (m)")), false, 0.0, maxShown(moments, m_warning.cautionDistance)};
   figure.zones = {{m_warning.warningDistance, m_warning.cautionDistance, words(tr("caution"))},
                   {0.0, m_warning.warningDistance, words(tr("warning"))}};
   figure.gaps = gapsIn(moments, now);

@@ -5,7 +5,7 @@
 
 #include "display.h"
 #include "distance_history.h"
-#include "experiments/figure.h"
+#include "report/figure.h"
 
 namespace boomwatch {
 

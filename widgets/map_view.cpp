@@ -17,9 +17,9 @@
 namespace boomwatch {
 namespace {
 
-constexpr double largestScale = 64.0;  // pixels a cell
-constexpr double stripHeight = 24.0;   // the legend's
-constexpr double keptInSight = 32.0;   // of the map, while it is dragged
+constexpr double maxScale = 64.0;     // pixels a cell
+constexpr double stripHeight = 24.0;  // the legend's
+constexpr double keptInSight = 32.0;  // of the map, while it is dragged
 
 /// The outline of a box on the model's plane: the hull of its projected corners. Empty where the
 /// box reaches behind the camera of a perspective model.
@@ -73,7 +73,7 @@ double MapView::fittingScale() const {
 void MapView::fit() {
   m_fitted = true;
   if (image().isNull() || mapArea().isEmpty()) return;
-  m_scale = std::min(fittingScale(), largestScale);
+  m_scale = std::min(fittingScale(), maxScale);
   const QSizeF drawn = QSizeF(image().size()) * m_scale;
   m_origin = mapArea().center() - QPointF(drawn.width(), drawn.height()) / 2;
   update();
@@ -81,8 +81,8 @@ void MapView::fit() {
 
 void MapView::zoom(double factor, const QPointF& anchor) {
   if (image().isNull() || mapArea().isEmpty() || !(factor > 0.0)) return;
-  const double smallest = std::min(fittingScale() / 2, largestScale);
-  const double scale = std::clamp(m_scale * factor, smallest, largestScale);
+  const double smallest = std::min(fittingScale() / 2, maxScale);
+  const double scale = std::clamp(m_scale * factor, smallest, maxScale);
   m_origin = anchor + (m_origin - anchor) * (scale / m_scale);
   m_scale = scale;
   m_fitted = false;
@@ -251,11 +251,11 @@ void MapView::drawStrip(QPainter& painter) const {
   scale.colouring = m_display->options.maps;
   if (m_kind == MapKind::Environment) {
     const Bounds& bounds = model()->geometry().bounds();
-    scale.darkest = farthestBrightness;
+    scale.darkest = maxBrightness;
     scale.first = metresText(bounds.zMin);
     scale.last = metresText(bounds.zMax);
   } else {
-    const double highest = highestProbability(m_display->result->parameters.model);
+    const double highest = maxProbability(m_display->result->parameters.model);
     scale.brightFirst = false;
     scale.darkest = freeBrightness;
     scale.first = QStringLiteral("P ") + QLocale().toString(0.0, 'f', 2);

@@ -9,10 +9,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "parameter_editor.h"
 #include "parameter_row.h"
-#include "pipeline/presets.h"
+#include "pipeline/parameter_checks.h"
+#include "pipeline/preset_file.h"
 #include "save_name.h"
 
 namespace boomwatch {

@@ -3,7 +3,7 @@
 #include <QDockWidget>
 #include <vector>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 class QGroupBox;
 class QLabel;

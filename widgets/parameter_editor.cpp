@@ -1,4 +1,5 @@
 #include "parameter_editor.h"
+#include "parameters/parameter_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "pipeline/parameter_table.h"
+#include "parameters/parameter_table.h"
 
 namespace boomwatch {
 

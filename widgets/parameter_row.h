@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "pipeline/parameter_table.h"
+#include "parameters/parameter_table.h"
 
 class QLabel;
 class QToolButton;

@@ -6,7 +6,7 @@
 #include "environment/environment_model.h"
 #include "frame/clearance.h"
 #include "load/load_detection.h"
-#include "pipeline/warning.h"
+#include "pipeline/warning_level.h"
 #include "pipeline/watched.h"
 
 namespace boomwatch {

@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QPalette>
 
-#include "pipeline/warning.h"
+#include "pipeline/warning_level.h"
 
 class QApplication;
 

@@ -63,7 +63,7 @@ QString knownSentence(const ToolTrack& tool, const TrackingParameters& parameter
   if (tool.isHeld) {
     return what +
            ToolTexts::tr(": taken to be at the load, which is seen. At %1 it counts as lost.")
-               .arg(seconds(HeldTool::longestHold));
+               .arg(seconds(HeldTool::maxHold));
   }
   return what + ToolTexts::tr(": taken to go on as it moved. At %1 it counts as lost.")
                     .arg(seconds(parameters.maxToolAge));

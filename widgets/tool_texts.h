@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 #include "tracking/tool_track.h"
 
 namespace boomwatch {

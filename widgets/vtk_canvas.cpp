@@ -25,7 +25,7 @@ constexpr auto settleTime = std::chrono::milliseconds(250);
 /// Of one drawing while others wait: slower, and there will be fewer points; faster, and more.
 constexpr auto slowest = std::chrono::milliseconds(40);
 constexpr auto fastest = std::chrono::milliseconds(16);
-constexpr std::size_t fewestPoints = 1U << 15;
+constexpr std::size_t minPoints = 1U << 15;
 constexpr std::size_t everyPoint = std::numeric_limits<std::size_t>::max();
 
 /// What VTK needs. No alpha: Qt would blend the view with what lies behind the window.
@@ -166,7 +166,7 @@ void VtkCanvas::drawAll() {
 
 void VtkCanvas::adapt(std::chrono::nanoseconds taken) {
   if (m_scene.pointLimit() != m_liveLimit) return;
-  if (taken > slowest) m_liveLimit = std::max(m_liveLimit / 2, fewestPoints);
+  if (taken > slowest) m_liveLimit = std::max(m_liveLimit / 2, minPoints);
   if (taken < fastest && !m_scene.everyPointDrawn()) m_liveLimit *= 2;
 }
 

@@ -35,19 +35,19 @@ std::optional<double> timeToContact(const ExactClearance& exact, const OrientedB
                                     const Vector3d& velocity, double horizon) {
   // Along a surface that it nearly touches, the load would advance by next to nothing a step. Going
   // this far instead, it may enter by as much, but not pass through: that is seen a step later.
-  const double shortestStep = std::clamp(load.size.minCoeff() / 2, 0.01, 0.05);
-  constexpr int mostSteps = 500;
+  const double minStep = std::clamp(load.size.minCoeff() / 2, 0.01, 0.05);
+  constexpr int maxSteps = 500;
   const double speed = velocity.norm();
   if (!(speed > 0.0)) return std::nullopt;
   double time = 0.0;
-  for (int step = 0; step < mostSteps && time <= horizon; ++step) {
+  for (int step = 0; step < maxSteps && time <= horizon; ++step) {
     OrientedBox moved = load;
     moved.centre += time * velocity;
     const Clearance clearance = exact.query(moved, speed * (horizon - time) + 1.0);
     if (!clearance.nearest) return std::nullopt;
     const Nearest& nearest = *clearance.nearest;
     if (nearest.distance <= nearest.quantisation) return time;
-    time += std::max(nearest.distance, shortestStep) / speed;
+    time += std::max(nearest.distance, minStep) / speed;
   }
   // Never so many steps but close to a surface: as good as a contact.
   return time <= horizon ? std::optional(time) : std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "environment/grid.h"
+#include "environment/grid_geometry.h"
 #include "frame/clearance.h"
 #include "frame/oriented_box.h"
 

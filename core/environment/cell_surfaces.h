@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "environment/grid.h"
+#include "environment/grid_geometry.h"
 #include "frame/cloud.h"
 
 namespace boomwatch {

@@ -89,7 +89,7 @@ struct Hysteresis {
       : rule(p),
         enter(static_cast<float>(p.probtresh)),
         leave(static_cast<float>(p.leaveThreshold)),
-        replace(static_cast<float>(highestProbability(p)) * 1.001F),
+        replace(static_cast<float>(maxProbability(p)) * 1.001F),
         confirmed(0.0F) {
     const int frames = framesToEnter(p).value_or(0);
     for (int n = 0; n < frames; ++n) {
@@ -207,7 +207,7 @@ void updateCells(std::span<float> probabilities, std::span<std::uint8_t> levels,
   }
 }
 
-double highestProbability(const ModelParameters& parameters) {
+double maxProbability(const ModelParameters& parameters) {
   const double highest = parameters.update == ModelUpdate::LogOdds
                              ? parameters.logOddsHigh
                              : parameters.pPrior / (1.0 - parameters.pPost);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 
@@ -37,7 +37,7 @@ void updateCells(std::span<float> probabilities, std::span<std::uint8_t> levels,
 
 /// What the probability of a cell that is always hit tends to: of Eq. 8, p_prior / (1 - p_post).
 /// At most 1, and more than 0.
-double highestProbability(const ModelParameters& parameters);
+double maxProbability(const ModelParameters& parameters);
 
 /// Frames in a row that a thing must be seen to enter the model (Eq. 22-23 for the thesis's
 /// update); absent when probtresh lets nothing through.

@@ -91,7 +91,7 @@ std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
   }
   if (!view) return hidden;
   // What hides a surface from the camera is seldom in the same column.
-  const auto known = static_cast<float>(longKnown * highestProbability(parameters));
+  const auto known = static_cast<float>(longKnown * maxProbability(parameters));
   for (std::size_t k = cells.begin; k < cells.end; ++k) {
     if (m_levels[k] == 0 || m_nearness[k] != 0 || m_probabilities[k] < known) continue;
     if (view->hides(m_geometry.surfacePoint(k, m_levels[k]), depthRoom)) {

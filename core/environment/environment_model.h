@@ -6,9 +6,9 @@
 
 #include "environment/cell_update.h"
 #include "environment/depth_view.h"
-#include "environment/grid.h"
+#include "environment/grid_geometry.h"
 #include "frame/cloud.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

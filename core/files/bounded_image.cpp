@@ -8,9 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
+#include "base/error.h"
 #include "files/file_bytes.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // An uncompressed colour picture of the largest size, and its header.
-constexpr std::size_t largestFile = static_cast<std::size_t>(largestImage) * 3 + 4096;
+constexpr std::size_t maxFile = static_cast<std::size_t>(maxImage) * 3 + 4096;
 constexpr std::string_view jpegSignature = "\xFF\xD8";
 
 struct WideSize {
@@ -103,7 +103,7 @@ std::optional<WideSize> claimedSize(std::string_view b) {
 
 bool acceptable(const WideSize& size) {
   return size.width > 0 && size.height > 0 &&
-         static_cast<double>(size.width) * static_cast<double>(size.height) <= largestImage;
+         static_cast<double>(size.width) * static_cast<double>(size.height) <= maxImage;
 }
 
 cv::Mat decode(const std::string& bytes, PixelDepth depth) {
@@ -128,7 +128,7 @@ bool hasImageExtension(const fs::path& file) {
 
 std::optional<cv::Size> imageSize(const fs::path& file) {
   try {
-    const auto size = claimedSize(readFileBytes(file, largestFile));
+    const auto size = claimedSize(readFileBytes(file, maxFile));
     if (!size || !acceptable(*size)) return std::nullopt;
     return cv::Size(static_cast<int>(size->width), static_cast<int>(size->height));
   } catch (const Error&) {
@@ -138,7 +138,7 @@ std::optional<cv::Size> imageSize(const fs::path& file) {
 
 cv::Mat readImage(const fs::path& file, PixelDepth depth) {
   const std::string where = file.string();
-  const std::string bytes = readFileBytes(file, largestFile);
+  const std::string bytes = readFileBytes(file, maxFile);
   const auto size = claimedSize(bytes);
   if (!size) {
     throw Error(where, "this is not a PNG, JPEG, BMP, PGM or PPM picture", "Convert it to one.");

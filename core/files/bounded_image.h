@@ -7,7 +7,7 @@
 namespace boomwatch {
 
 /// Pixels that one picture may have. Compressed files of a few kilobytes can claim a billion.
-inline constexpr double largestImage = 64e6;
+inline constexpr double maxImage = 64e6;
 
 /// How a picture's pixels are wanted.
 enum class PixelDepth {
@@ -22,7 +22,7 @@ bool hasImageExtension(const std::filesystem::path& file);
 /// more than readImage reads. Never throws. Any thread.
 std::optional<cv::Size> imageSize(const std::filesystem::path& file);
 
-/// Reads a picture of any content without taking more memory than largestImage allows: the header
+/// Reads a picture of any content without taking more memory than maxImage allows: the header
 /// is looked at first. Orientation tags are ignored: a calibration belongs to pixels as stored.
 /// Throws Error naming the file when it cannot be read. Any thread.
 cv::Mat readImage(const std::filesystem::path& file, PixelDepth depth = PixelDepth::EightBit);

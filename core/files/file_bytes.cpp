@@ -3,7 +3,7 @@
 #include <fstream>
 #include <random>
 
-#include "frame/error.h"
+#include "base/error.h"
 
 namespace boomwatch {
 namespace {

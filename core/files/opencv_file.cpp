@@ -6,9 +6,9 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
 
+#include "base/error.h"
 #include "files/file_bytes.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {

@@ -156,8 +156,8 @@ OrientedBox withSizes(const OrientedBox& seen, const Vector3d& sizes) {
 }
 
 /// The axes of the least volume; column 2 is the candidate it was turned about.
-OrientedBox smallestBox(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
-                        double grow) {
+OrientedBox minBox(const std::vector<Vector3d>& points, const std::vector<Vector3d>& normals,
+                   double grow) {
   std::optional<OrientedBox> best;
   for (const Vector3d& normal : normals) {
     const OrientedBox box = boxAlong(axesAbout(normal, points), points, grow);
@@ -171,7 +171,7 @@ OrientedBox smallestBox(const std::vector<Vector3d>& points, const std::vector<V
 
 LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach,
                      const LoadParameters& parameters) {
-  constexpr double leastFilled = 0.45, leastOffFace = 0.08;
+  constexpr double minFilled = 0.45, minOffFace = 0.08;
   const double toolRadius = parameters.toolSize / 2.0, cell = patch.cell * body.tool.z();
   const std::vector<int> cells = withoutBoom(patch, body, reach, toolRadius);
   std::vector<Vector3d> points;
@@ -192,11 +192,11 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     onFace = std::count_if(cells.begin(), cells.end(),
                            [&](int index) { return face->holds(patch, index, cell); });
   }
-  OrientedBox box = smallestBox(points, normals, cell / 4.0);
+  OrientedBox box = minBox(points, normals, cell / 4.0);
   const bool locked = parameters.dimensions == LoadDimensions::Locked;
   const double offFace = 1.0 - static_cast<double>(onFace) / static_cast<double>(cells.size());
-  if (offFace < leastOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);
-  if (filledShare(box, patch, cells) < leastFilled) {
+  if (offFace < minOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);
+  if (filledShare(box, patch, cells) < minFilled) {
     return LoadDetection::refused(LoadFault::PoorFit);
   }
   if (locked) box = withSizes(box, {parameters.sizeX, parameters.sizeY, parameters.sizeZ});

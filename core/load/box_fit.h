@@ -1,7 +1,7 @@
 #pragma once
 
 #include "load/load_body.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

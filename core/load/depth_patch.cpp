@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int finestHalfSide = 75, coarsestHalfSide = 20;
-constexpr double leastPerCell = 2.5;
+constexpr double minPerCell = 2.5;
 constexpr float nearest = 0.02F, farthest = 1e6F;  ///< metres; nothing is measured beyond
 
 /// Calls `take` with every `thinning`-th measured point (a power of 2), evenly over both
@@ -163,8 +163,8 @@ DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, d
   layGrid(patch, tool, reach, finestHalfSide);
   const double perCell = density(cloud, patch);
   // Where points are sparse, cells that are too fine would tear a surface.
-  if (perCell < leastPerCell) {
-    const int half = static_cast<int>(finestHalfSide * std::sqrt(perCell / leastPerCell));
+  if (perCell < minPerCell) {
+    const int half = static_cast<int>(finestHalfSide * std::sqrt(perCell / minPerCell));
     layGrid(patch, tool, reach, std::max(half, coarsestHalfSide));
   }
   int thinning = 1;

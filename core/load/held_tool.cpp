@@ -10,7 +10,7 @@ void HeldTool::learn(const Eigen::Vector3f& tool, const OrientedBox& load, doubl
   const Vector3d axis = load.rotation.col(0), offset = tool.cast<double>() - load.centre;
   const double along = axis.dot(offset);
   const Vector3d beside = offset - along * axis;
-  if (!m_grip || stamp - m_grip->stamp > longestHold) {
+  if (!m_grip || stamp - m_grip->stamp > maxHold) {
     m_grip = Grip{along, beside, stamp};
     return;
   }
@@ -20,7 +20,7 @@ void HeldTool::learn(const Eigen::Vector3f& tool, const OrientedBox& load, doubl
 }
 
 std::optional<Eigen::Vector3f> HeldTool::point(const OrientedBox& load, double stamp) const {
-  if (!m_grip || stamp < m_grip->stamp || stamp - m_grip->stamp > longestHold) return std::nullopt;
+  if (!m_grip || stamp < m_grip->stamp || stamp - m_grip->stamp > maxHold) return std::nullopt;
   const Vector3d tool = load.centre + m_grip->along * load.rotation.col(0) + m_grip->beside;
   return tool.cast<float>();
 }

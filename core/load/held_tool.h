@@ -11,11 +11,11 @@ namespace boomwatch {
 /// takes with it what tells the load from an obstacle, though the load itself is seen all the time.
 ///
 /// The tool's place along the load's x, and beside it in the camera's frame, is learnt while both
-/// are seen. It holds for longestHold seconds after the tool was: by then the load may have been
+/// are seen. It holds for maxHold seconds after the tool was: by then the load may have been
 /// laid down. Camera frame, metres, seconds. Used by one thread.
 class HeldTool {
  public:
-  static constexpr double longestHold = 4.0;
+  static constexpr double maxHold = 4.0;
 
   /// Both were seen in the frame of `stamp`. A stamp that runs backwards forgets what was learnt.
   void learn(const Eigen::Vector3f& tool, const OrientedBox& load, double stamp);

@@ -109,9 +109,9 @@ class Growth {
 /// Whether the plane's cells go on to the limit of reach on more than one side, as a ground does
 /// and a load or a boom does not.
 bool goesOn(const std::vector<Vector3d>& held, const Vector3d& tool, double reach, std::size_t of) {
-  constexpr double limit = 0.8, leastShare = 0.3;
+  constexpr double limit = 0.8, minShare = 0.3;
   constexpr int sectors = 8, needed = 3;
-  if (static_cast<double>(held.size()) < leastShare * static_cast<double>(of)) return false;
+  if (static_cast<double>(held.size()) < minShare * static_cast<double>(of)) return false;
   std::array<int, sectors> far{};
   for (const Vector3d& p : held) {
     const Vector3d offset = p - tool;
@@ -154,7 +154,7 @@ Vector3d steadied(const Vector3d& tool, const std::vector<int>& seeds, const Dep
 }  // namespace
 
 LoadBody growBody(const DepthPatch& patch, const Eigen::Vector3f& tool, const BodyLimits& limits) {
-  constexpr int mostSurfaces = 4;
+  constexpr int maxSurfaces = 4;
   constexpr std::size_t fewest = 8;  // cells of a piece beside the tool
   constexpr double beside = 1.5;
   LoadBody body;
@@ -174,7 +174,7 @@ LoadBody growBody(const DepthPatch& patch, const Eigen::Vector3f& tool, const Bo
     const auto add = [&](const std::vector<int>& piece) {
       const auto surface = surfaceIn(piece, patch, body.tool, limits.reach, body);
       for (const int cell : surface) growth.close(cell);
-      again = again || (!surface.empty() && k < mostSurfaces);
+      again = again || (!surface.empty() && k < maxSurfaces);
       if (surface.empty()) body.cells.insert(body.cells.end(), piece.begin(), piece.end());
     };
     add(growth.grow(seeds, open));

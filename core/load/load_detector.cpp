@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "load/box_fit.h"
-#include "load/log_fit.h"
+#include "load/log/log_fit.h"
 
 namespace boomwatch {
 namespace {

@@ -4,7 +4,7 @@
 #include "frame/cloud.h"
 #include "frame/viewed_box.h"
 #include "load/load_detection.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "load/learnt_length.h"
 #include "load/load_detection.h"
-#include "pipeline/parameters.h"
+#include "load/log/learnt_length.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

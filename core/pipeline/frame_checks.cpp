@@ -10,7 +10,7 @@ namespace {
 constexpr int movingFramesToForget = 3;
 
 /// A live source may lose a few frames; after more, whatever came meanwhile is not in the model.
-constexpr std::uint64_t mostLostFrames = 10;
+constexpr std::uint64_t maxLostFrames = 10;
 
 bool samePixels(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size() || a.type() != b.type()) return false;
@@ -44,7 +44,7 @@ bool FrameChecks::repeats(const FramePtr& frame) const {
 
 bool FrameChecks::isFromAnotherTime(const Frame& frame) const {
   return m_previous && (frame.sequence < m_previous->sequence ||
-                        frame.sequence > m_previous->sequence + mostLostFrames + 1);
+                        frame.sequence > m_previous->sequence + maxLostFrames + 1);
 }
 
 FrameChecks::Verdict FrameChecks::examine(const FramePtr& frame, const cv::Mat& image,

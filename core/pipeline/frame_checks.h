@@ -1,9 +1,9 @@
 #pragma once
 
-#include "environment/scene_motion.h"
 #include "frame/clearance.h"
 #include "frame/frame.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
+#include "pipeline/scene_motion.h"
 
 namespace boomwatch {
 

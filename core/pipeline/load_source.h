@@ -1,7 +1,7 @@
 #pragma once
 
 #include "frame/clearance.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 #include "pipeline/result.h"
 
 namespace boomwatch {

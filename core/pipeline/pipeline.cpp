@@ -4,18 +4,19 @@
 #include <chrono>
 #include <future>
 
+#include "base/error.h"
+#include "cloud/depth_noise.h"
 #include "collision/nearest_pair.h"
-#include "environment/crane_boxes.h"
-#include "environment/depth_noise.h"
-#include "frame/error.h"
+#include "crane/crane_boxes.h"
 #include "load/held_tool.h"
 #include "load/load_detector.h"
 #include "load/load_follower.h"
 #include "pipeline/frame_checks.h"
 #include "pipeline/load_source.h"
-#include "pipeline/surroundings.h"
-#include "pipeline/warning_machine.h"
-#include "stereo/stereo_matcher.h"
+#include "pipeline/parameter_checks.h"
+#include "pipeline/warning_memory.h"
+#include "pipeline/watched_environment.h"
+#include "stereo/stereo_stage.h"
 
 namespace boomwatch {
 namespace {
@@ -61,7 +62,7 @@ struct Pipeline::State {
   LoadFollower loads;
   HeldTool held;
   CraneMemory craneMemory;
-  Surroundings surroundings;
+  WatchedEnvironment surroundings;
   LoadMotion motion;
   WarningMemory warning;
   std::optional<double> unmaskedSince;  ///< stamp from which the crane was not told from the scene

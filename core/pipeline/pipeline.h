@@ -2,8 +2,9 @@
 
 #include <memory>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 #include "pipeline/result.h"
+#include "tracking/make_tracker.h"
 #include "tracking/tool_tracking.h"
 
 namespace boomwatch {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "collision/approach.h"
+#include "crane/static_scene.h"
 #include "environment/environment_model.h"
-#include "environment/static_scene.h"
 #include "frame/clearance.h"
 #include "frame/frame.h"
 #include "load/load_detection.h"
-#include "pipeline/warning.h"
+#include "pipeline/warning_level.h"
 #include "pipeline/watched.h"
 #include "tracking/tool_track.h"
 

@@ -6,7 +6,7 @@
 
 #include "frame/clearance.h"
 #include "frame/oriented_box.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

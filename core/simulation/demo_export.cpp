@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "files/partial_folder.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "frame/stereo_rig.h"
+#include "report/partial_folder.h"
 #include "simulation/demo_source.h"
 #include "simulation/pinhole_view.h"
 #include "simulation/truth_json.h"
 #include "simulation/yard/yard_truth.h"
-#include "stereo/stereo_rig.h"
 
 namespace boomwatch {
 namespace {

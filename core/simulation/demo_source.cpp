@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "simulation/pinhole_view.h"
 #include "simulation/scene.h"
 #include "simulation/yard/yard_source.h"

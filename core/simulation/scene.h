@@ -7,7 +7,7 @@
 
 namespace boomwatch {
 
-/// Surroundings with closed-form geometry. Camera frame, metres.
+/// WatchedEnvironment with closed-form geometry. Camera frame, metres.
 struct Scene {
   Ground ground;
   std::vector<Cylinder> cylinders;

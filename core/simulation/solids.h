@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "frame/oriented_box.h"
-#include "simulation/convex_distance.h"
+#include "simulation/convex_pair.h"
 
 namespace boomwatch {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "frame/error.h"
-#include "frame/size_text.h"
+#include "base/error.h"
+#include "base/size_text.h"
 #include "sources/live_stream.h"
 #include "stereo/calibration.h"
 
@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 // A load that swings at 1 m/s moves 4 cm, one default cell, in this time.
-constexpr Seconds largestSkew{0.04};
+constexpr Seconds maxSkew{0.04};
 
 // An address may itself hold commas, so both sides of one must look like devices.
 std::vector<std::string> splitDevices(const std::string& devices) {
@@ -90,7 +90,7 @@ class CameraSource : public FrameSource {
     if (!std::all_of(m_streams.begin(), m_streams.end(), [](auto& s) { return bool(s->slot); })) {
       return false;
     }
-    if (m_streams.size() == 1 || skew() <= largestSkew) return true;
+    if (m_streams.size() == 1 || skew() <= maxSkew) return true;
     // The partner of the older one did not come; the newer one's may.
     const bool leftIsOlder = m_streams[0]->slot->arrival < m_streams[1]->slot->arrival;
     m_streams[leftIsOlder ? 0 : 1]->discard();

@@ -1,8 +1,10 @@
 #include "sources/cloud_file.h"
 
+#include "base/error.h"
 #include "files/file_bytes.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
+#include "sources/pcd_file.h"
+#include "sources/ply_file.h"
 #include "sources/point_table.h"
 
 namespace boomwatch {

@@ -1,6 +1,6 @@
 #include "sources/cloud_source.h"
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "sources/cloud_file.h"
 #include "sources/file_sequence.h"
 #include "sources/indexed_source.h"

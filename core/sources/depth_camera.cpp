@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/error.h"
 #include "files/opencv_file.h"
-#include "frame/error.h"
 
 namespace boomwatch {
 namespace {

@@ -1,9 +1,9 @@
 #include "sources/depth_source.h"
 
+#include "base/error.h"
+#include "base/size_text.h"
 #include "files/bounded_image.h"
-#include "frame/error.h"
-#include "frame/size_text.h"
-#include "sources/depth_layout.h"
+#include "sources/depth_recording.h"
 #include "sources/indexed_source.h"
 
 namespace boomwatch {

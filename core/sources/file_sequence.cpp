@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {

@@ -49,9 +49,4 @@ struct SourceOptions {
   std::string calibration;  ///< file, when it does not lie beside the recording
 };
 
-/// Opens `stereo:PATH`, `cloud:PATH`, `depth:PATH`, `map:FILE`, `camera:LEFT,RIGHT` or `demo:NAME`.
-/// Throws Error when the address or what it names cannot be used.
-std::unique_ptr<FrameSource> openSource(const std::string& address,
-                                        const SourceOptions& options = {});
-
 }  // namespace boomwatch

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "files/bounded_image.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 #include "sources/file_sequence.h"
 
 namespace boomwatch {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "files/bounded_image.h"
-#include "frame/error.h"
 
 namespace boomwatch {
 namespace {
@@ -45,7 +45,7 @@ LiveStream::LiveStream(const std::string& device, Doorbell& doorbell)
   m_rate = std::max(0.0, m_capture.get(cv::CAP_PROP_FPS));
   const double width = m_capture.get(cv::CAP_PROP_FRAME_WIDTH);
   const double height = m_capture.get(cv::CAP_PROP_FRAME_HEIGHT);
-  if (width * height > largestImage) {
+  if (width * height > maxImage) {
     throw Error("camera " + m_name, "its pictures are too large", "Choose a smaller format.");
   }
   m_size = {static_cast<int>(width), static_cast<int>(height)};

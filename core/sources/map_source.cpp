@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "sources/indexed_source.h"
 #include "sources/surface_map.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr double mostPoints = 4e6;
+constexpr double maxPoints = 4e6;
 
 /// z at a place given in cells, from the middles of the four around it; NaN where one is unknown.
 /// Beyond the outermost middles the outermost cells go on.
@@ -35,7 +35,7 @@ std::shared_ptr<const Cloud> cloudOf(const SurfaceMap& map, const std::string& n
   const double step = std::min(map.spacing, map.cell);
   const double columns = std::ceil(map.z.cols * map.cell / step);
   const double rows = std::ceil(map.z.rows * map.cell / step);
-  if (columns * rows > mostPoints) {
+  if (columns * rows > maxPoints) {
     throw Error(name,
                 "the map would take " + std::to_string(columns * rows / 1e6) +
                     " million points, more than 4",

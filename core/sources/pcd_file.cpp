@@ -1,7 +1,9 @@
+#include "sources/pcd_file.h"
+
 #include <pcl/io/lzf.h>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "files/line_reader.h"
 #include "sources/point_table.h"
 
 // PCL's own reader allocates what a header claims before it looks at the file, and prints. Only its

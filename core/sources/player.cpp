@@ -7,7 +7,7 @@ namespace boomwatch {
 namespace {
 
 // A gap in the stamps (a recording that was interrupted) is not sat out in full.
-constexpr double longestGap = 2.0;
+constexpr double maxGap = 2.0;
 constexpr double rateOfTheUnknown = 10.0;
 
 }  // namespace
@@ -85,7 +85,7 @@ ReadResult Player::readRecording() {
 
 double Player::gapBefore(const ReadResult& read) const {
   if (read.frame && m_stamp && read.frame->stamp > *m_stamp) {
-    return std::min(read.frame->stamp - *m_stamp, longestGap);
+    return std::min(read.frame->stamp - *m_stamp, maxGap);
   }
   return 1.0 / (m_info.nominalRate > 0.0 ? m_info.nominalRate : rateOfTheUnknown);
 }

@@ -1,7 +1,9 @@
+#include "sources/ply_file.h"
+
 #include <algorithm>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "files/line_reader.h"
 #include "sources/point_table.h"
 
 namespace boomwatch {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <limits>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {

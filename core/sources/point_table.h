@@ -59,8 +59,4 @@ void readTextRecords(std::string_view text, std::size_t firstLine, const std::st
 /// Throws Error naming `where` when x, y or z is absent.
 CloudFile toCloudFile(const PointTable& table, const std::string& where);
 
-/// PCD and PLY: fill `table` from a file's bytes; throw Error naming `where`.
-void readPcd(std::string_view bytes, const std::string& where, PointTable& table);
-void readPly(std::string_view bytes, const std::string& where, PointTable& table);
-
 }  // namespace boomwatch

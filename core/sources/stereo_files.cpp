@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.h"
 #include "files/bounded_image.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 #include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
 #include "sources/video_stream.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using Paths = std::vector<fs::path>;
 
 // Seconds that the shutters of a pair may differ; at 1 m/s a load moves 2 cm meanwhile.
-constexpr double largestSkew = 0.02;
+constexpr double maxSkew = 0.02;
 
 struct FolderNames {
   const char* left;
@@ -75,7 +75,7 @@ void checkNumbers(const StereoFiles& files) {
   for (std::size_t i = 0; i < files.left.size(); ++i) {
     const auto left = stampFromName(files.left[i].stem().string());
     const auto right = stampFromName(files.right[i].stem().string());
-    const bool fits = left && right ? std::abs(*left - *right) <= largestSkew
+    const bool fits = left && right ? std::abs(*left - *right) <= maxSkew
                                     : numberIn(files.left[i]) == numberIn(files.right[i]);
     if (fits) continue;
     throw Error(files.left[i].string(),

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <vector>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
-#include "frame/size_text.h"
+#include "base/error.h"
+#include "base/size_text.h"
+#include "files/line_reader.h"
 #include "sources/file_sequence.h"
 #include "sources/image_sequence.h"
 #include "sources/indexed_source.h"

@@ -7,16 +7,16 @@
 #include <map>
 #include <optional>
 
+#include "base/error.h"
 #include "files/bounded_image.h"
 #include "files/file_bytes.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr std::size_t largestGridFile = 256U << 20;
-constexpr std::size_t largestDescription = 1U << 20;
+constexpr std::size_t maxGridFile = 256U << 20;
+constexpr std::size_t maxDescription = 1U << 20;
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double standsAbove = 10.0;  ///< metres, unless a camera height is given
 
@@ -46,7 +46,7 @@ std::map<std::string, double> readGridHeader(LineReader& lines, const std::strin
 
 RawGrid readAsciiGrid(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const std::string text = readFileBytes(file, largestGridFile);
+  const std::string text = readFileBytes(file, maxGridFile);
   LineReader lines(text);
   const auto header = readGridHeader(lines, name);
   const auto number = [&](const char* key, double low, double high) {
@@ -59,7 +59,7 @@ RawGrid readAsciiGrid(const std::filesystem::path& file) {
   };
   const double columns = number("ncols", 1, 1e5), rows = number("nrows", 1, 1e5);
   // A value takes two characters at least: what the file claims, it must be able to hold.
-  if (columns * rows > static_cast<double>(text.size()) || columns * rows > largestImage) {
+  if (columns * rows > static_cast<double>(text.size()) || columns * rows > maxImage) {
     throw Error(name, "it is too short for ncols times nrows values", "Check the file.");
   }
   const auto noData = header.find("nodata_value");
@@ -104,7 +104,7 @@ class Description {
   explicit Description(const std::filesystem::path& file) : m_name(file.string()) {
     YAML::Node root;
     try {
-      root = YAML::Load(readFileBytes(file, largestDescription));
+      root = YAML::Load(readFileBytes(file, maxDescription));
     } catch (const YAML::Exception& fault) {
       throw Error(m_name, "not YAML: " + fault.msg, "Write 'key: value' lines.");
     }

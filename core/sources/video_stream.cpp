@@ -4,16 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "base/error.h"
 #include "files/bounded_image.h"
-#include "files/text_scan.h"
-#include "frame/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {
 
 // Decoding this many is quicker than going back to a key picture.
 constexpr std::size_t shortHop = 24;
-constexpr double mostFrames = 1e9;
+constexpr double maxFrames = 1e9;
 
 }  // namespace
 
@@ -37,11 +37,11 @@ VideoStream::VideoStream(const std::filesystem::path& file) : m_file(file) {
   m_rate = m_video.get(cv::CAP_PROP_FPS);
   const double width = m_video.get(cv::CAP_PROP_FRAME_WIDTH);
   const double height = m_video.get(cv::CAP_PROP_FRAME_HEIGHT);
-  if (!(frames >= 1 && frames <= mostFrames) || !(m_rate > 0 && m_rate <= 1e4)) {
+  if (!(frames >= 1 && frames <= maxFrames) || !(m_rate > 0 && m_rate <= 1e4)) {
     throw Error(file.string(), "the video does not say how many frames it has and how fast",
                 "Copy it into a container that does: ffmpeg -i IN -c copy OUT.mp4");
   }
-  if (!(width >= 1 && height >= 1 && width * height <= largestImage)) {
+  if (!(width >= 1 && height >= 1 && width * height <= maxImage)) {
     throw Error(file.string(), "its pictures are too large or have no size", remedy);
   }
   m_count = static_cast<std::size_t>(frames);

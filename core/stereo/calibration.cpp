@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/error.h"
 #include "files/file_bytes.h"
-#include "frame/error.h"
-#include "stereo/calibration_formats.h"
+#include "stereo/opencv_calibration.h"
+#include "stereo/text_calibration.h"
 
 namespace boomwatch {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // A calibration takes a few kilobytes.
-constexpr std::size_t largestFile = 256 * 1024;
+constexpr std::size_t maxFile = 256 * 1024;
 // Wider than any rig; a calibration in millimetres lands beyond it.
-constexpr double widestBaseline = 10.0;
+constexpr double maxBaseline = 10.0;
 constexpr double rotationTolerance = 1e-3;
 
 void checkCamera(const std::string& where, const std::string& key, const cv::Matx33d& m) {
@@ -63,7 +64,7 @@ void checkBaseline(const std::string& where, const StereoRig& rig) {
   if (!std::isfinite(baseline) || baseline <= 0) {
     throw Error(where, "T gives a baseline that is zero or no number", "Correct T, in metres.");
   }
-  if (baseline > widestBaseline) {
+  if (baseline > maxBaseline) {
     throw Error(where, "T gives a baseline of " + std::to_string(baseline) + " m",
                 "T must be in metres: divide by 1000 if it is in millimetres.");
   }
@@ -112,7 +113,7 @@ StereoRig parse(const fs::path& file, const std::string& text, CameraPair pair) 
 }  // namespace
 
 std::string readCalibrationText(const fs::path& file) {
-  const std::string text = readFileBytes(file, largestFile);
+  const std::string text = readFileBytes(file, maxFile);
   const std::string remedy = "Give a stereo calibration: OpenCV YAML or XML, or a calib.txt.";
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw Error(file.string(), "this is empty", remedy);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "stereo/stereo_rig.h"
+#include "frame/stereo_rig.h"
 
 namespace boomwatch {
 
@@ -21,5 +21,9 @@ StereoRig readCalibration(const std::filesystem::path& file, CameraPair pair = C
 
 /// The calibration that lies in `folder`, by its usual names; absent if there is none.
 std::optional<std::filesystem::path> findCalibration(const std::filesystem::path& folder);
+
+/// The text of a small calibration file. Throws Error when it is missing, a folder, empty, binary
+/// or larger than any calibration.
+std::string readCalibrationText(const std::filesystem::path& file);
 
 }  // namespace boomwatch

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "frame/bands.h"
+#include "base/row_bands.h"
 
 namespace boomwatch {
 namespace {

@@ -1,10 +1,12 @@
+#include "stereo/opencv_calibration.h"
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
+#include "base/error.h"
 #include "files/opencv_file.h"
-#include "frame/error.h"
-#include "stereo/calibration_formats.h"
+#include "stereo/calibration.h"
 
 namespace boomwatch {
 namespace {

@@ -11,11 +11,11 @@ namespace boomwatch {
 namespace {
 
 // A calibration that is worse than this gives no disparities to begin at.
-constexpr double mostRows = 8.0;
-constexpr std::size_t fewestMatches = 60;
-constexpr double widestTurn = std::numbers::pi / 180.0;
+constexpr double maxRows = 8.0;
+constexpr std::size_t minMatches = 60;
+constexpr double maxTurn = std::numbers::pi / 180.0;
 // A factory's focal lengths drift apart by a thousandth or so as the cameras warm. Rows show that
-// less well than they show a turn, so it is held to what is likely, as if only `fewestMatches`
+// less well than they show a turn, so it is held to what is likely, as if only `minMatches`
 // were independent of each other.
 constexpr double likelyFocal = 0.001;
 constexpr double rowNoise = 0.3;
@@ -48,7 +48,7 @@ cv::Vec4d fitted(const std::vector<RowMatch>& matches, const cv::Matx33d& camera
     }
     const double scale = std::max(3.0 * medianOf(rest), 0.05);
     cv::Matx44d normal = cv::Matx44d::eye() * 1e-6;
-    const double alike = static_cast<double>(matches.size()) / fewestMatches;
+    const double alike = static_cast<double>(matches.size()) / minMatches;
     normal(2, 2) = alike * rowNoise * rowNoise / (likelyFocal * likelyFocal);
     cv::Vec4d sum = cv::Vec4d::all(0.0);
     for (std::size_t k = 0; k < matches.size(); ++k) {
@@ -91,21 +91,21 @@ std::vector<RowMatch> matchRows(const cv::Mat& left, const cv::Mat& right,
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const bool returned = found[k] && foundBack[k] && cv::norm(back[k] - corners[k]) < 0.2;
     if (!returned || std::abs(there[k].x - guess[k].x) > 2.0F) continue;
-    if (std::abs(there[k].y - corners[k].y) > mostRows) continue;
+    if (std::abs(there[k].y - corners[k].y) > maxRows) continue;
     matches.push_back({corners[k], there[k]});
   }
   return matches;
 }
 
 bool RowFit::worthwhile() const {
-  constexpr double leastGain = 0.2;
+  constexpr double minGain = 0.2;
   cv::Vec3d angles;
   cv::Rodrigues(turn, angles);
-  return residue - remaining > leastGain && cv::norm(angles) < widestTurn;
+  return residue - remaining > minGain && cv::norm(angles) < maxTurn;
 }
 
 std::optional<RowFit> fitRows(const std::vector<RowMatch>& matches, const cv::Matx33d& camera) {
-  if (matches.size() < fewestMatches) return std::nullopt;
+  if (matches.size() < minMatches) return std::nullopt;
   const cv::Vec4d terms = fitted(matches, camera);
   const cv::Vec4d applied(terms[0], terms[1], terms[2], 0.0);
   std::vector<double> before, after;

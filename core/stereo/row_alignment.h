@@ -7,7 +7,7 @@
 namespace boomwatch {
 
 /// Above so many pixels between the rows of left and right a calibration does not fit its cameras.
-inline constexpr double mostRowResidue = 0.5;
+inline constexpr double maxRowResidue = 0.5;
 
 /// A feature in both pictures of a rectified pair, pixels. Rectified means left.y == right.y.
 struct RowMatch {

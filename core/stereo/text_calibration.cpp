@@ -1,12 +1,13 @@
+#include "stereo/text_calibration.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
 
-#include "files/text_scan.h"
-#include "frame/error.h"
-#include "stereo/calibration_formats.h"
+#include "base/error.h"
+#include "files/line_reader.h"
 
 namespace boomwatch {
 namespace {

@@ -7,30 +7,30 @@
 #include <opencv2/core/hal/hal.hpp>
 #include <opencv2/features2d.hpp>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "tracking/point_flow.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr std::size_t fewestModelPoints = 6;
+constexpr std::size_t minModelPoints = 6;
 // Of the target's points must agree. Published is 0.1, of fewer points than are taken here.
-constexpr double smallestShare = 0.05;
-constexpr std::size_t fewestAgreeing = 5;
+constexpr double minShare = 0.05;
+constexpr std::size_t minAgreeing = 5;
 // Of the points seen in the image before must be seen in this: on what has taken the target's
 // place, Lucas-Kanade carries some of them on.
-constexpr double smallestSurvival = 0.25;
+constexpr double minSurvival = 0.25;
 // A match must be this much nearer than the next, as published (descriptors of 512 bits).
 constexpr double matchRatio = 0.8;
-constexpr int largestDistance = 128;
+constexpr int maxDistance = 128;
 // One corner is detected in several sizes: as close as this, two are no rivals.
 constexpr double sameSpot = 6.0;  // pixels
 // Votes for the centre that belong together, as published; less for small targets.
-constexpr double largestReach = 20.0;  // pixels
-constexpr double reachShare = 0.3;     // of the box
-constexpr double largestReturn = 3.0;  // forward-backward error, pixels
+constexpr double maxReach = 20.0;   // pixels
+constexpr double reachShare = 0.3;  // of the box
+constexpr double maxReturn = 3.0;   // forward-backward error, pixels
 const cv::Size window(15, 15);
-constexpr double largestScale = 8.0;
+constexpr double maxScale = 8.0;
 
 /// In the ellipse that fills the box: what lies in the box's corners is seldom the target.
 bool isInEllipse(const cv::Rect2d& box, const cv::Point2d& point) {
@@ -57,7 +57,7 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
     return isInEllipse(box, seen.positions[static_cast<std::size_t>(i)]);
   });
   const auto size = static_cast<std::size_t>(background - order.begin());
-  if (size < fewestModelPoints) {
+  if (size < minModelPoints) {
     throw Error("tool box", "there are too few corners in it to follow",
                 "Draw it around a part with more texture, or choose another tracker.");
   }
@@ -90,7 +90,7 @@ std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   for (const KeypointPair& point : m_active) before.emplace_back(point.position - origin);
   std::vector<KeypointPair> points;
   for (const FollowedPoint& point : followPoints(m_before(part), grey(part), before, window)) {
-    if (point.error > largestReturn) continue;
+    if (point.error > maxReturn) continue;
     const KeypointPair& active = m_active[point.index];
     points.push_back({active.id, active.model, cv::Point2d(point.position) + origin});
   }
@@ -105,7 +105,7 @@ std::vector<int> CmtTracker::alike(const KeypointFeatures& seen) const {
   cv::BFMatcher(cv::NORM_HAMMING).match(seen.descriptors, target, matches);
   std::vector<int> rows;
   for (const cv::DMatch& match : matches) {
-    if (match.distance <= largestDistance) rows.push_back(match.queryIdx);
+    if (match.distance <= maxDistance) rows.push_back(match.queryIdx);
   }
   return rows;
 }
@@ -120,7 +120,7 @@ std::vector<KeypointPair> CmtTracker::matched(const KeypointFeatures& seen) cons
   cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptors, m_descriptors, matches, rivals);
   std::vector<const cv::DMatch*> best(m_model.size(), nullptr);
   for (const auto& nearest : matches) {
-    if (nearest.empty() || nearest.front().distance > largestDistance) continue;
+    if (nearest.empty() || nearest.front().distance > maxDistance) continue;
     const cv::DMatch& first = nearest.front();
     const auto id = static_cast<std::size_t>(first.trainIdx);
     if (id >= m_model.size()) continue;
@@ -150,7 +150,7 @@ void CmtTracker::addNear(const KeypointFeatures& seen, KeypointConsensus& consen
   for (std::size_t id = 0; id < m_model.size(); ++id) {
     if (known[id]) continue;
     const cv::Point2d place = placeOf(consensus.pose, m_model[id]);
-    int nearest = largestDistance;
+    int nearest = maxDistance;
     std::optional<cv::Point2d> position;
     for (std::size_t i = 0; i < seen.positions.size(); ++i) {
       const cv::Point2d off = seen.positions[i] - place;
@@ -167,7 +167,7 @@ void CmtTracker::addNear(const KeypointFeatures& seen, KeypointConsensus& consen
 }
 
 double CmtTracker::reach() const {
-  return std::min(largestReach, reachShare * std::sqrt(m_size.area()));
+  return std::min(maxReach, reachShare * std::sqrt(m_size.area()));
 }
 
 cv::Rect2d CmtTracker::boxAt(const KeypointPose& pose) const {
@@ -178,12 +178,11 @@ cv::Rect2d CmtTracker::boxAt(const KeypointPose& pose) const {
 }
 
 bool CmtTracker::isCredible(const KeypointConsensus& consensus, cv::Size image) const {
-  const double needed = std::max({static_cast<double>(fewestAgreeing),
-                                  smallestShare * static_cast<double>(m_model.size()),
-                                  smallestSurvival * static_cast<double>(m_active.size())});
+  const double needed =
+      std::max({static_cast<double>(minAgreeing), minShare * static_cast<double>(m_model.size()),
+                minSurvival * static_cast<double>(m_active.size())});
   const cv::Rect2d box = boxAt(consensus.pose);
-  const bool sized =
-      consensus.pose.scale > 1.0 / largestScale && consensus.pose.scale < largestScale;
+  const bool sized = consensus.pose.scale > 1.0 / maxScale && consensus.pose.scale < maxScale;
   return sized && static_cast<double>(consensus.points.size()) >= needed &&
          !(box & cv::Rect2d(0, 0, image.width, image.height)).empty();
 }

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "tracking/keypoint_consensus.h"
 #include "tracking/keypoint_features.h"
-#include "tracking/keypoint_votes.h"
 #include "tracking/tracker.h"
 
 namespace boomwatch {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "tracking/detection.h"
 #include "tracking/picture_halves.h"
-#include "tracking/tool_detector.h"
 
 namespace boomwatch {
 namespace {
@@ -15,25 +15,25 @@ using Place = ColourLayout::Place;
 using Views = std::vector<cv::Mat>;
 
 constexpr double cellsOfLongSide = 8.0;
-constexpr int leastCells = 3;
-constexpr double step = 1.2;            // between two sizes
-constexpr int steps = 4;                // to either side
-constexpr double leastDeviation = 0.5;  // of a cell's Lab: below, all is alike
+constexpr int minCells = 3;
+constexpr double step = 1.2;          // between two sizes
+constexpr int steps = 4;              // to either side
+constexpr double minDeviation = 0.5;  // of a cell's Lab: below, all is alike
 constexpr int placesOfALevel = 3;
-constexpr std::size_t mostPlaces = 8;
+constexpr std::size_t maxPlaces = 8;
 constexpr double onTool = 0.4;     // overlap
 constexpr double samePlace = 0.5;  // of the smaller of two boxes
 // A view less alike than this is another side of the tool; one still less may be something else.
 constexpr double newView = 0.8, sureView = 0.5;
-constexpr std::size_t mostViews = 8;
-constexpr std::size_t fewestObserved = 8, mostObserved = 80;
+constexpr std::size_t maxViews = 8;
+constexpr std::size_t minObserved = 8, maxObserved = 80;
 constexpr double rightShare = 0.9;
 // How far above the best of the others, towards the tool's own median. Measured on seven yards in
 // which the tool goes away and comes back turned: at 0.33 it is found in 22 of 28 cases, at 0.15
 // in nearly all, with no more boxes while it is away.
 constexpr double ownShare = 0.15;
 // Explains less than a quarter of what is seen: nothing is that, however unlike all else was.
-constexpr double leastScore = 0.5;
+constexpr double minScore = 0.5;
 constexpr double deniedShare = 0.5;           // of the threshold
 constexpr double margin = 0.02, lead = 0.05;  // of scores
 
@@ -51,8 +51,8 @@ cv::Mat labOf(const cv::Mat& image) {
 cv::Mat unitOf(const cv::Mat& lab) {
   const cv::Mat varying = lab - cv::mean(lab);
   const double length = cv::norm(varying);
-  return length > leastDeviation * std::sqrt(lab.total()) ? cv::Mat(varying / length)
-                                                          : cv::Mat::zeros(lab.size(), lab.type());
+  return length > minDeviation * std::sqrt(lab.total()) ? cv::Mat(varying / length)
+                                                        : cv::Mat::zeros(lab.size(), lab.type());
 }
 
 /// Standard deviation of the colours of each window of `cells`, times the root of their number.
@@ -62,7 +62,7 @@ cv::Mat lengthsIn(const cv::Mat& lab, cv::Size cells) {
   cv::sqrBoxFilter(lab, squares, CV_32F, cells, {0, 0}, true, cv::BORDER_REPLICATE);
   cv::transform(squares - means.mul(means), variance, cv::Matx13f::ones());
   cv::Mat lengths;
-  cv::sqrt(cv::max(variance, leastDeviation * leastDeviation) * cells.area(), lengths);
+  cv::sqrt(cv::max(variance, minDeviation * minDeviation) * cells.area(), lengths);
   return lengths;
 }
 
@@ -134,8 +134,8 @@ bool isSamePlace(const cv::Rect2d& one, const cv::Rect2d& other) {
 
 void ColourLayout::begin(const cv::Mat& image, const cv::Rect2d& box) {
   const double cell = std::max(box.width, box.height) / cellsOfLongSide;
-  m_cells = {std::max(leastCells, cvRound(box.width / cell)),
-             std::max(leastCells, cvRound(box.height / cell))};
+  m_cells = {std::max(minCells, cvRound(box.width / cell)),
+             std::max(minCells, cvRound(box.height / cell))};
   m_size = box.size();
   m_views.clear();
   m_observed.clear();
@@ -158,7 +158,7 @@ std::vector<Place> ColourLayout::places(const cv::Mat& image) const {
   std::ranges::stable_sort(found, std::greater(), &Place::score);
   std::vector<Place> apart;
   for (const Place& place : found) {
-    if (apart.size() == mostPlaces) break;
+    if (apart.size() == maxPlaces) break;
     const bool isNew = std::ranges::none_of(
         apart, [&](const Place& other) { return isSamePlace(place.box, other.box); });
     if (isNew) apart.push_back(place);
@@ -203,14 +203,14 @@ void ColourLayout::observe(const cv::Mat& image, const std::vector<Place>& place
   }
   m_size = box.size();
   m_observed.push_back(seen);
-  if (m_observed.size() > mostObserved) m_observed.pop_front();
-  if (seen.own < seen.other || m_views.size() == mostViews) return;
+  if (m_observed.size() > maxObserved) m_observed.pop_front();
+  if (seen.own < seen.other || m_views.size() == maxViews) return;
   const double score = scoreOf(image, box);
   if (score > sureView && score < newView) m_views.push_back(viewOf(image, box, m_cells));
 }
 
 std::optional<double> ColourLayout::threshold() const {
-  if (m_observed.size() < fewestObserved) return std::nullopt;
+  if (m_observed.size() < minObserved) return std::nullopt;
   std::vector<double> own;
   double other = -1.0;
   for (const Observation& one : m_observed) {
@@ -220,7 +220,7 @@ std::optional<double> ColourLayout::threshold() const {
   if (own.size() < rightShare * static_cast<double>(m_observed.size())) return std::nullopt;
   const auto median = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
   std::ranges::nth_element(own, median);
-  return std::max(leastScore, other + std::max(margin, ownShare * (*median - other)));
+  return std::max(minScore, other + std::max(margin, ownShare * (*median - other)));
 }
 
 bool ColourLayout::denies(const cv::Mat& image, const cv::Rect2d& box) const {

@@ -5,19 +5,19 @@
 #include <opencv2/tracking.hpp>
 #include <utility>
 
-#include "frame/error.h"
+#include "base/error.h"
 
 namespace boomwatch {
 namespace {
 
 // Measured on six recordings with ground truth: of the boxes on the target less than 1 in 500 has a
 // smaller one; of those beside it 5 in 6 do, unless the box slid off slowly.
-constexpr double smallestConfidence = 0.5;
+constexpr double minConfidence = 0.5;
 // A view that is like a known one, but not the same, is worth keeping.
 constexpr double surelyTarget = 0.6, sameView = 0.92;
-constexpr std::size_t mostViews = 40;
+constexpr std::size_t maxViews = 40;
 const cv::Size viewSize(20, 20);
-constexpr double smallestContrast = 2.0;  // grey levels
+constexpr double minContrast = 2.0;  // grey levels
 
 double contrastOf(const cv::Mat& grey) {
   cv::Scalar mean, deviation;
@@ -43,7 +43,7 @@ cv::Mat viewOf(const cv::Mat& image, const cv::Rect& box) {
 void CsrtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   requireStart(image, box);
   const cv::Rect rounded = cv::Rect(box) & cv::Rect({}, image.size());
-  if (contrastOf(greyOf(image(rounded))) < smallestContrast) {
+  if (contrastOf(greyOf(image(rounded))) < minContrast) {
     throw Error("tool box", "there is nothing in it to follow: it has no texture",
                 "Draw it around a part with edges or corners.");
   }
@@ -77,12 +77,12 @@ double CsrtTracker::confidenceIn(const cv::Mat& image, const cv::Rect& box) {
 }
 
 void CsrtTracker::keepView(const cv::Mat& view) {
-  if (m_views.size() < mostViews) {
+  if (m_views.size() < maxViews) {
     m_views.push_back(view);
     return;
   }
   // The first view stays: it is the only one that a person pointed at.
-  m_replace = m_replace % (mostViews - 1) + 1;
+  m_replace = m_replace % (maxViews - 1) + 1;
   m_views[m_replace] = view;
 }
 
@@ -93,15 +93,14 @@ Track CsrtTracker::track(const cv::Mat& image) {
   double confidence = 0.0;
   try {
     // An image without contrast would only teach it darkness.
-    if (isTrackable(image) && image.size() == m_size &&
-        contrastOf(greyOf(image)) >= smallestContrast) {
+    if (isTrackable(image) && image.size() == m_size && contrastOf(greyOf(image)) >= minContrast) {
       const cv::Mat fitting = withChannels(image, m_channels);
       if (m_engine->update(fitting, box)) confidence = confidenceIn(fitting, box);
     }
   } catch (const cv::Exception&) {
     confidence = 0.0;
   }
-  const bool seenBefore = std::exchange(m_seen, confidence >= smallestConfidence);
+  const bool seenBefore = std::exchange(m_seen, confidence >= minConfidence);
   if (!m_seen) return Track::lost();
   return {seenBefore ? TrackState::Tracked : TrackState::Refound, cv::Rect2d(box), confidence,
           LearningState::None};

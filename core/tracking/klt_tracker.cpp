@@ -2,23 +2,23 @@
 
 #include <algorithm>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "tracking/median_flow.h"
 
 namespace boomwatch {
 namespace {
 
 // Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
-constexpr double largestResidual = 10.0;  // pixels
-constexpr double smallestSimilarity = 0.5;
+constexpr double maxResidual = 10.0;  // pixels
+constexpr double minSimilarity = 0.5;
 // Less of the box than this inside the picture is not enough to go by.
-constexpr double smallestShareInside = 0.25;
+constexpr double minShareInside = 0.25;
 
 bool isCredible(const MedianFlow& flow, cv::Size image) {
   const cv::Rect2d inside = flow.box & cv::Rect2d(0, 0, image.width, image.height);
-  return flow.residual <= largestResidual && flow.similarity >= smallestSimilarity &&
-         std::min(flow.box.width, flow.box.height) >= Tracker::smallestSide / 2 &&
-         inside.area() >= smallestShareInside * flow.box.area();
+  return flow.residual <= maxResidual && flow.similarity >= minSimilarity &&
+         std::min(flow.box.width, flow.box.height) >= Tracker::minSide / 2 &&
+         inside.area() >= minShareInside * flow.box.area();
 }
 
 }  // namespace

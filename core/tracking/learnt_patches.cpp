@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/tool_patch.h"
+#include "tracking/patch_cutter.h"
 
 namespace boomwatch {
 

@@ -1,3 +1,4 @@
+#include "tracking/make_tracker.h"
 #include "tracking/cmt_tracker.h"
 #include "tracking/csrt_tracker.h"
 #include "tracking/klt_tracker.h"

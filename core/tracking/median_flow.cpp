@@ -11,12 +11,12 @@ namespace {
 
 constexpr int gridSide = FlowCells::side;
 // Of the cells of a box at least so many are asked.
-constexpr std::size_t fewestReliable = 25;
+constexpr std::size_t minReliable = 25;
 constexpr float mostlyTogether = 0.4F;
 // What stands still is this far from a box that moves, pixels.
 constexpr double clearMotion = 1.5;
 constexpr double togetherShare = 0.5;  // of the motion, by which what goes together may differ
-constexpr std::size_t fewestPoints = 6;
+constexpr std::size_t minPoints = 6;
 const cv::Size window(9, 9);
 
 /// A point in both images.
@@ -111,8 +111,8 @@ void noteDown(const std::vector<Match>& matches, const cv::Rect2d& before, const
 
 std::array<bool, FlowCells::count> FlowCells::reliable() const {
   std::array<float, count> best = m_together;
-  std::ranges::nth_element(best, best.begin() + fewestReliable - 1, std::greater());
-  const float least = std::min(mostlyTogether, best[fewestReliable - 1]);
+  std::ranges::nth_element(best, best.begin() + minReliable - 1, std::greater());
+  const float least = std::min(mostlyTogether, best[minReliable - 1]);
   std::array<bool, count> cells{};
   for (std::size_t k = 0; k < count; ++k) cells[k] = m_together[k] >= least;
   return cells;
@@ -132,13 +132,13 @@ std::optional<MedianFlow> medianFlow(const cv::Mat& before, const cv::Mat& after
       return !reliable[match.cell];
     });
   }
-  if (matches.size() < fewestPoints) return std::nullopt;
+  if (matches.size() < minPoints) return std::nullopt;
   keepBetterHalf(matches, [](const Match& match) { return -match.error; });
   for (Match& match : matches) {
     match.similarity = patchSimilarity(partBefore, match.before, partAfter, match.after);
   }
   keepBetterHalf(matches, [](const Match& match) { return match.similarity; });
-  if (matches.size() < fewestPoints / 2) return std::nullopt;
+  if (matches.size() < minPoints / 2) return std::nullopt;
   MedianFlow flow = flowOf(matches, box - origin);
   if (cells) noteDown(all, box - origin, flow.box, *cells);
   flow.box += origin;

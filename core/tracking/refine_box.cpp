@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "tracking/tool_patch.h"
+#include "tracking/patch_cutter.h"
 
 namespace boomwatch {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double firstStep = 0.08;  // of the box
 constexpr double lastStep = 0.02;
 constexpr int roundsPerStep = 2;
-constexpr float leastLikeness = 0.85F;
+constexpr float minLikeness = 0.85F;
 
 using Warp = PatchCutter::Warp;
 
@@ -52,7 +52,7 @@ cv::Rect2d refineBox(const cv::Mat& grey, const cv::Rect2d& box, const ToolClass
       if (most == before) break;
     }
   }
-  return most < leastLikeness ? box : warped(box, best, share);
+  return most < minLikeness ? box : warped(box, best, share);
 }
 
 }  // namespace boomwatch

@@ -8,7 +8,7 @@
 namespace boomwatch {
 namespace {
 
-constexpr double shortestSide = 8.0;  // of a window, pixels of the picture
+constexpr double minSide = 8.0;  // of a window, pixels of the picture
 
 }  // namespace
 
@@ -17,7 +17,7 @@ ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int
   PictureHalves halves(grey);
   for (int exponent = first; exponent <= last; ++exponent) {
     const cv::Size2d window = tool * std::pow(step, exponent);
-    if (std::min(window.width, window.height) < shortestSide) continue;
+    if (std::min(window.width, window.height) < minSide) continue;
     if (window.width > grey.cols || window.height > grey.rows) break;
     Level level;
     const cv::Size size(std::max(patch.width, cvRound(grey.cols * patch.width / window.width)),

@@ -6,10 +6,10 @@
 #include <limits>
 #include <tuple>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "tracking/median_flow.h"
+#include "tracking/patch_cutter.h"
 #include "tracking/refine_box.h"
-#include "tracking/tool_patch.h"
 
 namespace boomwatch {
 namespace {
@@ -21,22 +21,22 @@ constexpr int nearScales = 5;
 constexpr int imagesAway = 25;
 
 // Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
-constexpr double largestResidual = 10.0;  // pixels
+constexpr double maxResidual = 10.0;  // pixels
 // Below this the flow is not sure (blur, a jump) and the patches say where exactly the tool is.
 constexpr double sureFlow = 0.93;
 constexpr double refinedShare = 0.5;
-constexpr double smallestShareInside = 0.5;
+constexpr double minShareInside = 0.5;
 // A wall before the tool has less variance than any patch of it.
 constexpr double flatShare = 0.25;
 
 constexpr float trustedLikeness = 0.7F;
 constexpr float doubtedLikeness = 0.5F;
-constexpr int longestDoubt = 25;        // images
+constexpr int maxDoubt = 25;            // images
 constexpr float somethingElse = 0.45F;  // less is rather what was learnt not to be the tool
 // By how much the best of several places must look more like the tool than the second.
 constexpr float lead = 0.05F;
 constexpr double sameOverlap = 0.5;
-constexpr std::size_t mostSharpened = 5;  // places, while the tool is lost
+constexpr std::size_t maxSharpened = 5;  // places, while the tool is lost
 constexpr double mixOverlap = 0.7;
 constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
 
@@ -81,8 +81,8 @@ void requireUsable(const ToolModel& model) {
     return other.type() == CV_8UC1 && other.size() == patch;
   };
   const bool usable =
-      !model.positives.empty() && model.positives.size() <= ToolModel::mostPositives &&
-      model.negatives.size() <= ToolModel::mostNegatives &&
+      !model.positives.empty() && model.positives.size() <= ToolModel::maxPositives &&
+      model.negatives.size() <= ToolModel::maxNegatives &&
       model.leaves.size() == ToolModel::ferns * ToolModel::leavesPerFern &&
       std::ranges::all_of(model.positives, fits) && std::ranges::all_of(model.negatives, fits);
   if (usable) return;
@@ -139,8 +139,8 @@ Detection TldTracker::judged(const cv::Mat& grey, const cv::Rect2d& box) const {
 std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
   if (!m_found) return std::nullopt;
   const Track track = m_keypoints.track(grey);
-  if (!track.box || std::min(track.box->width, track.box->height) < smallestSide / 2.0 ||
-      shareInside(*track.box, grey.size()) < smallestShareInside) {
+  if (!track.box || std::min(track.box->width, track.box->height) < minSide / 2.0 ||
+      shareInside(*track.box, grey.size()) < minShareInside) {
     return std::nullopt;
   }
   return judged(grey, *track.box);
@@ -149,14 +149,14 @@ std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
 std::optional<Detection> TldTracker::flow(const cv::Mat& grey) {
   if (!m_found || m_before.size() != grey.size()) return std::nullopt;
   const std::optional<MedianFlow> moved = medianFlow(m_before, grey, m_found->box, &m_cells);
-  if (!moved || moved->residual > largestResidual) return std::nullopt;
-  if (std::min(moved->box.width, moved->box.height) < smallestSide / 2.0) return std::nullopt;
-  if (shareInside(moved->box, grey.size()) < smallestShareInside) return std::nullopt;
+  if (!moved || moved->residual > maxResidual) return std::nullopt;
+  if (std::min(moved->box.width, moved->box.height) < minSide / 2.0) return std::nullopt;
+  if (shareInside(moved->box, grey.size()) < minShareInside) return std::nullopt;
   const cv::Rect2d box = moved->similarity < sureFlow
                              ? refineBox(grey, moved->box, *m_tool, refinedShare)
                              : moved->box;
   const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
-  if (varianceOf(patch) < flatShare * m_tool->leastVariance()) return std::nullopt;
+  if (varianceOf(patch) < flatShare * m_tool->minVariance()) return std::nullopt;
   return Detection{box, m_tool->likeness(patch)};
 }
 
@@ -175,7 +175,7 @@ std::vector<Candidate> TldTracker::sharpened(const cv::Mat& grey,
                            [](const Candidate& one) { return one.likeness.relative; });
   std::vector<Candidate> places;
   for (const Candidate& candidate : candidates) {
-    if (places.size() == mostSharpened) break;
+    if (places.size() == maxSharpened) break;
     const bool isNew = std::ranges::none_of(places, [&](const Candidate& place) {
       return overlap(place.box, candidate.box) >= sameOverlap;
     });
@@ -282,7 +282,7 @@ void TldTracker::integrate(const cv::Mat& grey, const std::optional<Detection>& 
   const bool doubted =
       followed->likeness.relative < doubtedLikeness && !m_recent.recognises(grey, followed->box);
   m_imagesDoubted = doubted ? m_imagesDoubted + 1 : 0;
-  if (m_imagesDoubted > longestDoubt) {
+  if (m_imagesDoubted > maxDoubt) {
     lose();
     return;
   }

@@ -5,11 +5,11 @@
 
 #include "tracking/cmt_tracker.h"
 #include "tracking/colour_layout.h"
+#include "tracking/detection.h"
+#include "tracking/last_appearance.h"
 #include "tracking/median_flow.h"
-#include "tracking/recent_look.h"
 #include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
-#include "tracking/tool_detector.h"
 #include "tracking/tool_learning.h"
 #include "tracking/tracker.h"
 
@@ -20,9 +20,9 @@ namespace boomwatch {
 /// teaches the detector. Beside the flow, and against its drift, the keypoints of the first box are
 /// looked for around the tool (CmtTracker); that box is taken which looks more like the older half
 /// of the model. Where neither is sure, as when the tool has turned, its colours decide
-/// (ColourLayout); what comes back from behind something is known by its last look (RecentLook). A
-/// tracker that began with a saved model has no keypoints, and learns the colours when it is first
-/// sure of the tool.
+/// (ColourLayout); what comes back from behind something is known by its last look
+/// (LastAppearance). A tracker that began with a saved model has no keypoints, and learns the
+/// colours when it is first sure of the tool.
 ///
 /// The guard against "explosion", a model that fills with what is not the tool: an image teaches
 /// only while the box is trusted and the detector sees the tool nowhere else. Trust begins with the
@@ -67,7 +67,7 @@ class TldTracker : public Tracker {
   CmtTracker m_keypoints{KeypointReach::DensePart};  ///< idle where there were too few
   bool m_trusted = false;                            ///< see the class
   ColourLayout m_colours;
-  RecentLook m_recent;
+  LastAppearance m_recent;
   int m_images = 0;         ///< since it began
   double m_scale = 1.0;     ///< of the tool when it was last seen, against the model's
   int m_imagesLost = 0;     ///< since it was last seen

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "tracking/tool_patch.h"
+#include "tracking/patch_cutter.h"
 
 namespace boomwatch {
 namespace {
@@ -15,14 +15,14 @@ ToolClassifier::ToolClassifier(const ToolModel& model)
     : m_size(model.size),
       m_patch(model.patchSize()),
       m_ferns(m_patch, model.leaves),
-      m_positives(model.positives, m_patch, ToolModel::mostPositives),
-      m_negatives(model.negatives, m_patch, ToolModel::mostNegatives),
-      m_leastVariance(std::numeric_limits<double>::infinity()) {
+      m_positives(model.positives, m_patch, ToolModel::maxPositives),
+      m_negatives(model.negatives, m_patch, ToolModel::maxNegatives),
+      m_minVariance(std::numeric_limits<double>::infinity()) {
   for (const cv::Mat& patch : model.positives) lowerVariance(patch);
 }
 
 void ToolClassifier::lowerVariance(const cv::Mat& patch) {
-  m_leastVariance = std::min(m_leastVariance, varianceOf(patch) / 2.0);
+  m_minVariance = std::min(m_minVariance, varianceOf(patch) / 2.0);
 }
 
 Likeness ToolClassifier::likeness(const cv::Mat& patch) const {

@@ -25,7 +25,7 @@ class ToolClassifier {
   cv::Size2d toolSize() const { return m_size; }
   const FernEnsemble& ferns() const { return m_ferns; }
   /// Patches with less variance than this are not the tool.
-  double leastVariance() const { return m_leastVariance; }
+  double minVariance() const { return m_minVariance; }
   Likeness likeness(const cv::Mat& patch) const;
   /// To the older half of the tool's patches alone, whatever else there is: 0..1.
   float anchorLikeness(const cv::Mat& patch) const;
@@ -44,7 +44,7 @@ class ToolClassifier {
   FernEnsemble m_ferns;
   LearntPatches m_positives;
   LearntPatches m_negatives;
-  double m_leastVariance = 0.0;
+  double m_minVariance = 0.0;
 };
 
 }  // namespace boomwatch

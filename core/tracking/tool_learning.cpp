@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "frame/error.h"
-#include "tracking/tool_patch.h"
+#include "base/error.h"
+#include "tracking/patch_cutter.h"
 
 namespace boomwatch {
 namespace {
@@ -20,12 +20,12 @@ constexpr double warpScale = 0.1;
 // How alike a patch may be and still be new: of the tool, and of what is not.
 constexpr float newPositive = 0.75F;
 constexpr float newNegative = 0.5F;
-constexpr float leastLikeness = 0.5F;
+constexpr float minLikeness = 0.5F;
 // A window that overlaps less with the tool is not the tool.
 constexpr double elsewhere = 0.2;
 constexpr int firstScans = 4;
 constexpr int firstScales = 8;
-constexpr double leastVariance = 0.25;  // of 8-bit values: below, all are equal
+constexpr double minVariance = 0.25;  // of 8-bit values: below, all are equal
 
 void learnNegatives(const cv::Rect2d& box, const ScanLevels& levels,
                     const std::vector<Candidate>& candidates, ToolClassifier& tool) {
@@ -60,7 +60,7 @@ ToolClassifier ToolLearning::begin(const cv::Mat& grey, const cv::Rect2d& box) {
   ToolModel model;
   model.size = box.size();
   const cv::Mat patch = PatchCutter(grey, box, model.patchSize()).cut();
-  if (varianceOf(patch) < leastVariance) {
+  if (varianceOf(patch) < minVariance) {
     throw Error("tool box", "there is nothing in it to follow: all is equal",
                 "Draw it around a part with edges or corners.");
   }
@@ -77,8 +77,7 @@ ToolClassifier ToolLearning::begin(const cv::Mat& grey, const cv::Rect2d& box) {
 bool ToolLearning::canLearn(const cv::Mat& grey, const cv::Rect2d& box,
                             const ToolClassifier& tool) {
   const cv::Mat patch = PatchCutter(grey, box, tool.patchSize()).cut();
-  return tool.likeness(patch).relative >= leastLikeness &&
-         varianceOf(patch) >= tool.leastVariance();
+  return tool.likeness(patch).relative >= minLikeness && varianceOf(patch) >= tool.minVariance();
 }
 
 void ToolLearning::learn(const cv::Mat& grey, const cv::Rect2d& box, const ScanLevels& levels,

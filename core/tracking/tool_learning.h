@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
+#include "tracking/detection.h"
 #include "tracking/scan_levels.h"
 #include "tracking/tool_classifier.h"
-#include "tracking/tool_detector.h"
 
 namespace boomwatch {
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "frame/error.h"
+#include "base/error.h"
 
 namespace boomwatch {
 namespace {
 
 constexpr double patchArea = 15.0 * 15.0;
-constexpr double longestPatchSide = 45.0;
-constexpr double shortestPatchSide = 5.0;
+constexpr double maxPatchSide = 45.0;
+constexpr double minPatchSide = 5.0;
 
 bool samePatches(const std::vector<cv::Mat>& one, const std::vector<cv::Mat>& other) {
   return std::ranges::equal(one, other, [](const cv::Mat& a, const cv::Mat& b) {
@@ -43,7 +43,7 @@ cv::Size ToolModel::patchSize() const {
   const double area = std::min(patchArea, size.area());
   const double width = std::sqrt(area * size.width / size.height);
   const auto side = [](double length) {
-    return cvRound(std::clamp(length, shortestPatchSide, longestPatchSide));
+    return cvRound(std::clamp(length, minPatchSide, maxPatchSide));
   };
   return {side(width), side(area / width)};
 }
@@ -64,8 +64,8 @@ ToolModel mergeToolModels(std::span<const ToolModel> models) {
       throw Error("tool models", "they are not of one shape of tool",
                   "Merge models whose boxes were drawn around the same tool.");
     }
-    appendShare(merged.positives, model.positives, ToolModel::mostPositives / models.size());
-    appendShare(merged.negatives, model.negatives, ToolModel::mostNegatives / models.size());
+    appendShare(merged.positives, model.positives, ToolModel::maxPositives / models.size());
+    appendShare(merged.negatives, model.negatives, ToolModel::maxNegatives / models.size());
     for (std::size_t i = 0; i < merged.leaves.size(); ++i) {
       addLeaf(merged.leaves[i], model.leaves[i]);
     }

@@ -19,8 +19,8 @@ struct FernLeaf {
 /// Learning-Detection", 2012). A value: copies are independent, since a patch is never written to
 /// once it is here. Bounded in size.
 struct ToolModel {
-  static constexpr std::size_t mostPositives = 200;
-  static constexpr std::size_t mostNegatives = 400;
+  static constexpr std::size_t maxPositives = 200;
+  static constexpr std::size_t maxNegatives = 400;
   static constexpr std::size_t ferns = 10;
   static constexpr std::size_t leavesPerFern = 4096;
 
@@ -36,14 +36,6 @@ struct ToolModel {
 
 /// Patches, leaves and size equal, bit for bit.
 bool operator==(const ToolModel& one, const ToolModel& other);
-
-/// Writes a versioned file that loadToolModel() reads. Throws Error naming the file when it cannot
-/// be written; an older file of that name is then left as it was.
-void saveToolModel(const ToolModel& model, const std::string& file);
-
-/// Throws Error that names the file when it is missing, truncated, damaged, of another kind or of
-/// another version. Memory stays bounded whatever the file claims.
-ToolModel loadToolModel(const std::string& file);
 
 /// One model of a tool from several. Throws Error when `models` is empty or they are not of one
 /// shape of tool. Where they hold more than one model may, each gives an equal share.

@@ -10,9 +10,10 @@
 #include <concepts>
 #include <string_view>
 
+#include "base/error.h"
 #include "files/file_bytes.h"
-#include "frame/error.h"
 #include "tracking/tool_model.h"
+#include "tracking/tool_model_file.h"
 
 namespace boomwatch {
 namespace {
@@ -20,8 +21,8 @@ namespace {
 constexpr std::string_view magic = "BWTOOL\r\n";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t hashBytes = 8;
-constexpr double largestTool = 1e5;
-constexpr std::size_t largestFile = 4 << 20;
+constexpr double maxTool = 1e5;
+constexpr std::size_t maxFile = 4 << 20;
 constexpr std::size_t allLeaves = ToolModel::ferns * ToolModel::leavesPerFern;
 constexpr std::size_t leafBytes = 4 + 2 + 2;
 
@@ -107,12 +108,12 @@ Header takeHeader(Bytes& bytes) {
 }
 
 bool isPossible(const Header& header) {
-  const auto possibleSide = [](double side) { return side >= 1.0 && side <= largestTool; };
+  const auto possibleSide = [](double side) { return side >= 1.0 && side <= maxTool; };
   if (!possibleSide(header.size.width) || !possibleSide(header.size.height)) return false;
   ToolModel model;
   model.size = header.size;
-  return header.patch == model.patchSize() && header.positives <= ToolModel::mostPositives &&
-         header.negatives <= ToolModel::mostNegatives && header.leaves <= allLeaves;
+  return header.patch == model.patchSize() && header.positives <= ToolModel::maxPositives &&
+         header.negatives <= ToolModel::maxNegatives && header.leaves <= allLeaves;
 }
 
 std::size_t bytesBehind(const Header& header) {
@@ -165,7 +166,7 @@ void saveToolModel(const ToolModel& model, const std::string& file) {
 }
 
 ToolModel loadToolModel(const std::string& file) {
-  const std::string content = readFileBytes(file, largestFile);
+  const std::string content = readFileBytes(file, maxFile);
   if (!content.starts_with(magic)) {
     throw Error(file, "this is not a tool model", "Choose a file that this program saved as one.");
   }

@@ -11,7 +11,7 @@ constexpr int agreeingOutliers = 3;
 constexpr int agreedForVelocity = 3;
 /// What so many measurements agreed on is not given up for three others that it cannot explain.
 constexpr int agreedForCertainty = 10;
-constexpr double longestContradiction = 3.0;  // seconds
+constexpr double maxContradiction = 3.0;  // seconds
 /// Metres: it may be another part of the tool that is measured now.
 constexpr double toolExtent = 1.0;
 /// Metres by which a point of the tool may lie beside where its load says it is.
@@ -47,7 +47,7 @@ bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParam
   const bool inReach = isInReach(measured, parameters);
   const bool insists = m_outliers >= agreeingOutliers;
   if (!insists && (m_known || !inReach)) return false;
-  if (isApart || (!inReach && *m_stamp - m_outliersSince < longestContradiction)) {
+  if (isApart || (!inReach && *m_stamp - m_outliersSince < maxContradiction)) {
     m_isContradicted = insists && !m_known;
     return false;
   }
@@ -107,7 +107,7 @@ bool ToolMotion::isInReach(const Eigen::Vector3d& place,
   const double at = agreesWithOutlier(place, parameters.noise) ? m_outliersSince : *m_stamp;
   // Without time between them nothing can be said of the speed.
   if (!m_seenAt || at <= *m_seenAt || m_agreed < agreedForCertainty) return true;
-  return (place - m_believed).norm() <= toolExtent + parameters.fastest * (at - *m_seenAt);
+  return (place - m_believed).norm() <= toolExtent + parameters.maxSpeed * (at - *m_seenAt);
 }
 
 std::optional<Eigen::Vector3f> ToolMotion::point() const {

@@ -3,14 +3,14 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 
 /// The tool's point over time: a Kalman filter for constant velocity, alike on all three axes.
 /// A measurement too far from where the tool is expected is not believed; three such in a row that
 /// agree with one another are, and the filter begins anew there. Not so where ten had agreed before
-/// and the tool cannot have got there since (TrackingParameters::fastest): that is believed only
+/// and the tool cannot have got there since (TrackingParameters::maxSpeed): that is believed only
 /// after it was insisted on for three seconds. Camera frame, metres, seconds.
 class ToolMotion {
  public:

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "frame/cloud.h"
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 

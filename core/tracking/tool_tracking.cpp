@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "frame/error.h"
+#include "base/error.h"
 #include "tracking/tool_point.h"
 
 namespace boomwatch {

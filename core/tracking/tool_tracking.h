@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "frame/cloud.h"
+#include "tracking/make_tracker.h"
 #include "tracking/tool_motion.h"
 #include "tracking/tool_track.h"
 

@@ -4,8 +4,8 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
-#include "frame/error.h"
-#include "frame/size_text.h"
+#include "base/error.h"
+#include "base/size_text.h"
 
 namespace boomwatch {
 namespace {
@@ -63,7 +63,7 @@ void requireStart(const cv::Mat& image, const cv::Rect2d& box) {
   }
   const bool finite = std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) &&
                       std::isfinite(box.height);
-  if (!finite || !(box.width >= Tracker::smallestSide && box.height >= Tracker::smallestSide)) {
+  if (!finite || !(box.width >= Tracker::minSide && box.height >= Tracker::minSide)) {
     throw Error(boxText(box), "it is smaller than 8 x 8 pixels",
                 "Draw a box that encloses the tool.");
   }

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "pipeline/parameters.h"
+#include "parameters/parameters.h"
 
 namespace boomwatch {
 
@@ -48,12 +48,12 @@ struct Track {
 class Tracker {
  public:
   /// Narrower or lower than this, a box holds nothing that could be followed. Pixels.
-  static constexpr double smallestSide = 8.0;
+  static constexpr double minSide = 8.0;
 
   virtual ~Tracker() = default;
 
   /// Begins anew with the target in `box` of `image`. Throws Error, and stays as it was, when the
-  /// box is empty, not finite, smaller than smallestSide or reaches outside the image, or when
+  /// box is empty, not finite, smaller than minSide or reaches outside the image, or when
   /// there is nothing in it to follow.
   virtual void start(const cv::Mat& image, const cv::Rect2d& box) = 0;
 
@@ -79,9 +79,6 @@ class Tracker {
   /// What was learnt so far; null where this kind of tracker has no model, or before start.
   virtual std::shared_ptr<const ToolModel> model() const { return nullptr; }
 };
-
-/// Null for TrackerKind::Manual: the operator's click stays where it is.
-std::unique_ptr<Tracker> makeTracker(TrackerKind kind);
 
 /// Whether `image` can be looked at: not empty, CV_8UC1 or CV_8UC3.
 bool isTrackable(const cv::Mat& image);

@@ -3,7 +3,8 @@
 #include <QtTest>
 #include <cmath>
 
-#include "program_run.h"
+#include "support/program_run.h"
+#include "support/test_registry.h"
 
 #ifdef Q_OS_UNIX
 #include <sys/stat.h>
@@ -314,5 +315,5 @@ void TestBadInput::aPictureThatCannotBeWrittenIsAFaultOfTheRun() {
   QVERIFY2(result.errors.contains("window.png: cannot be written"), result.errors);
 }
 
-QTEST_GUILESS_MAIN(TestBadInput)
+BOOMWATCH_TEST(TestBadInput)
 #include "test_bad_input.moc"

@@ -5,7 +5,8 @@
 #include <QtTest>
 #include <csignal>
 
-#include "tracking_folder.h"
+#include "support/test_registry.h"
+#include "support/tracking_folder.h"
 
 using namespace boomwatch::test;
 
@@ -188,5 +189,5 @@ void TestEvaluation::interruptedItSaysWhatIsWhole() {
   QVERIFY(lines[5].startsWith("mean,klt,1 of 2,4,"));
 }
 
-QTEST_GUILESS_MAIN(TestEvaluation)
+BOOMWATCH_TEST(TestEvaluation)
 #include "test_evaluation.moc"

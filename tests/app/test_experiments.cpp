@@ -5,7 +5,8 @@
 #include <QtTest>
 #include <csignal>
 
-#include "tracking_folder.h"
+#include "support/test_registry.h"
+#include "support/tracking_folder.h"
 
 /// boomwatch --experiments, run as a person would.
 class TestExperiments : public QObject {
@@ -168,5 +169,5 @@ class TestExperiments : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestExperiments)
+BOOMWATCH_TEST(TestExperiments)
 #include "test_experiments.moc"

@@ -4,6 +4,8 @@
 #include <QtTest>
 #include <csignal>
 
+#include "support/test_registry.h"
+
 /// Exports a demo with the program itself.
 class TestExport : public QObject {
   Q_OBJECT
@@ -75,5 +77,5 @@ class TestExport : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestExport)
+BOOMWATCH_TEST(TestExport)
 #include "test_export.moc"

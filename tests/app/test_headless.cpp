@@ -5,7 +5,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "pipeline/parameter_table.h"
+#include "parameters/parameter_table.h"
+#include "support/test_registry.h"
 
 /// Runs the program itself, as a person or a script would.
 class TestHeadless : public QObject {
@@ -210,5 +211,5 @@ void TestHeadless::savesTheWholeWindow() {
   QVERIFY(image.width() >= 800 && image.height() >= 600);
 }
 
-QTEST_GUILESS_MAIN(TestHeadless)
+BOOMWATCH_TEST(TestHeadless)
 #include "test_headless.moc"

@@ -2,7 +2,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "program_run.h"
+#include "support/program_run.h"
+#include "support/test_registry.h"
 
 namespace {
 
@@ -118,5 +119,5 @@ class TestHeadlessTool : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestHeadlessTool)
+BOOMWATCH_TEST(TestHeadlessTool)
 #include "test_headless_tool.moc"

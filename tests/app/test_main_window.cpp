@@ -10,12 +10,13 @@
 #include <QtTest>
 #include <future>
 
-#include "../fake_source.h"
 #include "console.h"
 #include "parameter_row.h"
 #include "pipeline/pipeline.h"
 #include "source_guess.h"
 #include "state_text.h"
+#include "support/fake_source.h"
+#include "support/test_registry.h"
 #include "worker.h"
 
 using namespace boomwatch;
@@ -323,5 +324,5 @@ class TestMainWindow : public QObject {
   }
 };
 
-QTEST_MAIN(TestMainWindow)
+BOOMWATCH_TEST(TestMainWindow)
 #include "test_main_window.moc"

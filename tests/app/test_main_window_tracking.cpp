@@ -4,10 +4,11 @@
 #include <QPushButton>
 #include <QtTest>
 
-#include "../fake_source.h"
-#include "../flat_scene.h"
 #include "main_window.h"
 #include "parameter_row.h"
+#include "support/fake_source.h"
+#include "support/flat_scene.h"
+#include "support/test_registry.h"
 #include "worker.h"
 
 using namespace boomwatch;
@@ -139,5 +140,6 @@ class TestMainWindowTracking : public QObject {
   }
 };
 
-QTEST_MAIN(TestMainWindowTracking)
+BOOMWATCH_TEST(TestMainWindowTracking)
+#include "parameters/parameter_text.h"
 #include "test_main_window_tracking.moc"

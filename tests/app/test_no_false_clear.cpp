@@ -3,7 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "program_run.h"
+#include "support/program_run.h"
+#include "support/test_registry.h"
 
 /// What was not measured is never shown as clear, end to end.
 class TestNoFalseClear : public QObject {
@@ -77,5 +78,5 @@ void TestNoFalseClear::whatRaysAreTooShortForIsNotCalledClear() {
   QCOMPARE(longer.lines.constLast()["level"].toString(), QStringLiteral("caution"));
 }
 
-QTEST_GUILESS_MAIN(TestNoFalseClear)
+BOOMWATCH_TEST(TestNoFalseClear)
 #include "test_no_false_clear.moc"

@@ -5,8 +5,9 @@
 #include <QtTest>
 
 #include "main_window.h"
-#include "pipeline/parameter_table.h"
+#include "parameters/parameter_table.h"
 #include "state_text.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -71,5 +72,5 @@ class TestTranslation : public QObject {
   }
 };
 
-QTEST_MAIN(TestTranslation)
+BOOMWATCH_TEST(TestTranslation)
 #include "test_translation.moc"

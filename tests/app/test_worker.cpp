@@ -5,8 +5,9 @@
 #include <atomic>
 #include <future>
 
-#include "../fake_source.h"
-#include "frame/error.h"
+#include "base/error.h"
+#include "support/fake_source.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using Status = ReadResult::Status;
@@ -333,5 +334,5 @@ class TestWorker : public QObject {
   }
 };
 
-QTEST_MAIN(TestWorker)
+BOOMWATCH_TEST(TestWorker)
 #include "test_worker.moc"

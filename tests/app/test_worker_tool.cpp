@@ -2,8 +2,9 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "../fake_source.h"
-#include "../flat_scene.h"
+#include "support/fake_source.h"
+#include "support/flat_scene.h"
+#include "support/test_registry.h"
 #include "tracking/tool_model.h"
 #include "worker.h"
 
@@ -156,5 +157,5 @@ void TestWorkerTool::aFolderThatIsNotThereIsToldByName() {
   QTRY_VERIFY(reader.told("/there/is/none/tool"));
 }
 
-QTEST_GUILESS_MAIN(TestWorkerTool)
+BOOMWATCH_TEST(TestWorkerTool)
 #include "test_worker_tool.moc"

@@ -4,11 +4,12 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "base/freed_memory.h"
 #include "benchmark.h"
-#include "frame/freed_memory.h"
-#include "pipeline/parameter_table.h"
+#include "frame/stereo_rig.h"
+#include "parameters/parameter_table.h"
+#include "parameters/parameter_text.h"
 #include "pipeline/pipeline.h"
-#include "stereo/stereo_rig.h"
 
 namespace bench = boomwatch::bench;
 using boomwatch::Frame;

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "benchmark.h"
-#include "environment/clusters.h"
-#include "environment/voxel_grid.h"
+#include "cloud/clusters.h"
+#include "cloud/voxel_grid.h"
 #include "floor_with_boxes.h"
 #include "pcl_peers.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "benchmark.h"
-#include "environment/static_scene.h"
-#include "environment/voxel_grid.h"
+#include "cloud/voxel_grid.h"
+#include "crane/static_scene.h"
 #include "floor_with_boxes.h"
 #include "pcl_peers.h"
 

@@ -6,9 +6,9 @@
 
 #include <numbers>
 
-#include "../load_scene.h"
 #include "benchmark.h"
 #include "load/load_detector.h"
+#include "support/load_scene.h"
 
 using namespace boomwatch;
 namespace bench = boomwatch::bench;

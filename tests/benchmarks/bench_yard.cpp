@@ -1,8 +1,8 @@
 // How fast demo:yard makes its stereo pairs, beside the matcher that they are made for.
 #include "benchmark.h"
+#include "frame/stereo_rig.h"
 #include "simulation/demo_source.h"
-#include "stereo/stereo_matcher.h"
-#include "stereo/stereo_rig.h"
+#include "stereo/stereo_stage.h"
 
 namespace bench = boomwatch::bench;
 

@@ -4,10 +4,11 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "conveyor.h"
 #include "environment/cell_surfaces.h"
-#include "real_data.h"
-#include "sequence.h"
+#include "support/conveyor.h"
+#include "support/real_data.h"
+#include "support/sequence.h"
+#include "support/test_registry.h"
 #include "tracking/tracker.h"
 
 using namespace boomwatch;
@@ -30,7 +31,7 @@ cv::Mat changed(const cv::Mat& a, const cv::Mat& b) {
 }
 
 /// The largest piece of a mask: the box, not a flicker elsewhere.
-cv::Mat largestPiece(const cv::Mat& mask) {
+cv::Mat maxComponent(const cv::Mat& mask) {
   cv::Mat labels, statistics, centroids;
   const int pieces = cv::connectedComponentsWithStats(mask, labels, statistics, centroids);
   int largest = 0;
@@ -54,7 +55,7 @@ class BoxWatch {
       // The hand is gone; the box creeps too slowly to show between two frames.
       const bool still = cv::countNonZero(changed(image, m_previous)) < 50;
       if (!m_lies && m_frame > handArrives + 10 && still) m_lies = m_frame;
-      const auto cells = boxCells(*result.cloud, largestPiece(changed(image, m_emptyBelt)), model);
+      const auto cells = boxCells(*result.cloud, maxComponent(changed(image, m_emptyBelt)), model);
       m_held[m_frame] = {cells.size(), heldShare(cells, model)};
       if (m_frame == handReturns) m_lastBox = cells;
     }
@@ -171,5 +172,5 @@ void TestConveyor::boxEntersTheModelWhenItLiesAndLeavesWhenItIsCarriedAway() {
   QVERIFY(left <= most);
 }
 
-QTEST_GUILESS_MAIN(TestConveyor)
+BOOMWATCH_TEST(TestConveyor)
 #include "test_conveyor.moc"

@@ -9,11 +9,12 @@
 #include <opencv2/videoio.hpp>
 #include <random>
 
-#include "environment/scene_motion.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/scene_motion.h"
 #include "sources/frame_source.h"
 #include "stereo/calibration.h"
-#include "stereo/stereo_matcher.h"
+#include "stereo/stereo_stage.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -254,5 +255,6 @@ void TestDebianData::streetSeenByAStillCameraDoesNotMoveAsAWhole() {
   QVERIFY(worst < limit);
 }
 
-QTEST_GUILESS_MAIN(TestDebianData)
+BOOMWATCH_TEST(TestDebianData)
+#include "open_source.h"
 #include "test_debian_data.moc"

@@ -4,8 +4,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "real_data.h"
-#include "sequence.h"
+#include "support/real_data.h"
+#include "support/sequence.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -126,5 +127,5 @@ void TestKinect::wallStaysInTheModelOutsideThePersonMask() {
   QVERIFY(!everyFrame || bad == 0);
 }
 
-QTEST_GUILESS_MAIN(TestKinect)
+BOOMWATCH_TEST(TestKinect)
 #include "test_kinect.moc"

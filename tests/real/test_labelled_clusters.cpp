@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <map>
 
-#include "environment/clusters.h"
-#include "real_data.h"
+#include "cloud/clusters.h"
 #include "sources/cloud_file.h"
+#include "support/real_data.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -112,5 +113,5 @@ void TestLabelledClusters::clustersAreTheLabelledObjects() {
   QVERIFY(touching || index >= 0.99);
 }
 
-QTEST_GUILESS_MAIN(TestLabelledClusters)
+BOOMWATCH_TEST(TestLabelledClusters)
 #include "test_labelled_clusters.moc"

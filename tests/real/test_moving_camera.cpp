@@ -1,7 +1,8 @@
 #include <QtTest>
 
-#include "real_data.h"
-#include "sequence.h"
+#include "support/real_data.h"
+#include "support/sequence.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -37,5 +38,5 @@ void TestMovingCamera::saysThatTheSceneMovesRatherThanTrustTheModel() {
   QCOMPARE(clear, std::size_t{0});
 }
 
-QTEST_GUILESS_MAIN(TestMovingCamera)
+BOOMWATCH_TEST(TestMovingCamera)
 #include "test_moving_camera.moc"

@@ -4,9 +4,10 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
-#include "floor_plane.h"
-#include "real_data.h"
-#include "sequence.h"
+#include "support/floor_plane.h"
+#include "support/real_data.h"
+#include "support/sequence.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -217,7 +218,7 @@ std::vector<double> TestOverheadSlow::over(const Stretch& stretch,
 }
 
 void TestOverheadSlow::floorIsInTheModel() {
-  double least = 1.0, leastQuiet = 1.0, leastOnTiles = 1.0;
+  double least = 1.0, minQuiet = 1.0, minOnTiles = 1.0;
   std::size_t fewest = 100000;
   for (const auto& [frame, look] : m_looks) {
     if (frame < settled) continue;
@@ -226,17 +227,17 @@ void TestOverheadSlow::floorIsInTheModel() {
     const double share = static_cast<double>(look.floor) / all;
     least = std::min(least, share);
     if (within(nobodyNear, frame) || within(nobodyAgain, frame)) {
-      leastQuiet = std::min(leastQuiet, share);
+      minQuiet = std::min(minQuiet, share);
     }
-    leastOnTiles = std::min(leastOnTiles, static_cast<double>(look.onTiles) / all);
+    minOnTiles = std::min(minOnTiles, static_cast<double>(look.onTiles) / all);
   }
   qInfo(
       "from frame %zu on, at least %zu cells at 2.6 to 2.9 m, %.1f %% of all below 2.3 m (%.1f %% "
       "while nobody is near); %.1f %% within 10 cm of the floor that its tiles say",
-      settled, fewest, 100 * least, 100 * leastQuiet, 100 * leastOnTiles);
+      settled, fewest, 100 * least, 100 * minQuiet, 100 * minOnTiles);
   QVERIFY(fewest >= 500);
   QVERIFY(least >= 0.95);
-  QVERIFY(leastOnTiles >= 0.95);
+  QVERIFY(minOnTiles >= 0.95);
 }
 
 void TestOverheadSlow::floorTiltsAsItsTilesSay() {
@@ -300,5 +301,5 @@ void TestOverheadSlow::overexposedStripeIsNeverObserved() {
   QCOMPARE(seen, std::size_t{0});
 }
 
-QTEST_GUILESS_MAIN(TestOverheadSlow)
+BOOMWATCH_TEST(TestOverheadSlow)
 #include "test_overhead_slow.moc"

@@ -5,8 +5,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "load/load_detector.h"
-#include "real_data.h"
 #include "sources/cloud_file.h"
+#include "support/real_data.h"
+#include "support/test_registry.h"
 #include "tracking/tool_point.h"
 
 using namespace boomwatch;
@@ -252,5 +253,5 @@ class TestRealLoads : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestRealLoads)
+BOOMWATCH_TEST(TestRealLoads)
 #include "test_real_loads.moc"

@@ -1,9 +1,10 @@
 #include <QtTest>
 #include <opencv2/imgproc.hpp>
 
-#include "real_data.h"
 #include "sources/stereo_source.h"
-#include "stereo/stereo_matcher.h"
+#include "stereo/stereo_stage.h"
+#include "support/real_data.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using namespace std::chrono_literals;
@@ -145,5 +146,5 @@ class TestStereoRecordings : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestStereoRecordings)
+BOOMWATCH_TEST(TestStereoRecordings)
 #include "test_stereo_recordings.moc"

@@ -6,8 +6,9 @@
 #include <random>
 
 #include "pipeline/pipeline.h"
-#include "stereo/stereo_matcher.h"
-#include "stereo_sets.h"
+#include "stereo/stereo_stage.h"
+#include "support/stereo_sets.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 using namespace boomwatch::test;
@@ -223,5 +224,5 @@ void TestStereoTruth::clearanceAgreesWithTheTruth() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestStereoTruth)
+BOOMWATCH_TEST(TestStereoTruth)
 #include "test_stereo_truth.moc"

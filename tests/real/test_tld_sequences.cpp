@@ -1,10 +1,11 @@
 #include <QtTest>
 #include <vector>
 
-#include "evaluation/absences.h"
-#include "evaluation/track_score.h"
-#include "evaluation/tracking_sequence.h"
-#include "real_data.h"
+#include "lab/evaluation/absences.h"
+#include "lab/evaluation/track_score.h"
+#include "lab/evaluation/tracking_sequence.h"
+#include "support/real_data.h"
+#include "support/test_registry.h"
 #include "tracking/tld_tracker.h"
 
 using namespace boomwatch;
@@ -57,7 +58,7 @@ void TestTldSequences::followsAndFindsAgain_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<int>("count");
   QTest::addColumn<double>("least");
-  QTest::addColumn<int>("mostFalse");
+  QTest::addColumn<int>("maxFalse");
   QTest::newRow("blur and jumps") << "tld_jumping" << 100 << 0.5 << 0;
   QTest::newRow("leaves and comes back") << "tld_pedestrian3" << 184 << 0.7 << 5;
   QTest::newRow("out of the dark") << "tld_david" << 150 << 0.6 << 0;
@@ -67,7 +68,7 @@ void TestTldSequences::followsAndFindsAgain() {
   QFETCH(QString, name);
   QFETCH(int, count);
   QFETCH(double, least);
-  QFETCH(int, mostFalse);
+  QFETCH(int, maxFalse);
   const QString folder = sharedData("tracking/" + name);
   REQUIRE_DATA(folder);
   const Stretch stretch = stretchOf(folder, 0, static_cast<std::size_t>(count));
@@ -75,11 +76,11 @@ void TestTldSequences::followsAndFindsAgain() {
   tracker.start(stretch.images.front(), stretch.truth.front().value());
   const TrackScore score = scoreOn(stretch, 1, tracker);
   QVERIFY2(score.successArea > least, qPrintable(QString::number(*score.successArea)));
-  QVERIFY2(score.falseBoxes <= static_cast<std::size_t>(mostFalse),
+  QVERIFY2(score.falseBoxes <= static_cast<std::size_t>(maxFalse),
            qPrintable(QString::number(score.falseBoxes)));
   QCOMPARE(score.refound, score.returns);
-  QVERIFY(tracker.model()->positives.size() <= ToolModel::mostPositives);
-  QVERIFY(tracker.model()->negatives.size() <= ToolModel::mostNegatives);
+  QVERIFY(tracker.model()->positives.size() <= ToolModel::maxPositives);
+  QVERIFY(tracker.model()->negatives.size() <= ToolModel::maxNegatives);
 }
 
 /// A face in other light than at the beginning: the learnt patches alone do not find it.
@@ -125,5 +126,6 @@ void TestTldSequences::aModelFileCarriesWhatWasLearnt() {
   QVERIFY2(trained > fromOneBox + 0.1, qPrintable(figures));
 }
 
-QTEST_GUILESS_MAIN(TestTldSequences)
+BOOMWATCH_TEST(TestTldSequences)
 #include "test_tld_sequences.moc"
+#include "tracking/tool_model_file.h"

@@ -6,10 +6,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "conveyor.h"
-#include "real_data.h"
-#include "sequence.h"
-#include "tracking/tool_detector.h"
+#include "support/conveyor.h"
+#include "support/real_data.h"
+#include "support/sequence.h"
+#include "support/test_registry.h"
+#include "tracking/detection.h"
 #include "tracking/tracker.h"
 
 using namespace boomwatch;
@@ -177,5 +178,6 @@ void TestTrackedRecordings::theHeadOfAPersonWhoTurns() {
   QCOMPARE(loads, 0);
 }
 
-QTEST_GUILESS_MAIN(TestTrackedRecordings)
+BOOMWATCH_TEST(TestTrackedRecordings)
+#include "open_source.h"
 #include "test_tracked_recordings_slow.moc"

@@ -1,9 +1,10 @@
 #include <QtTest>
 
-#include "evaluation/contestants.h"
-#include "evaluation/tracking_evaluation.h"
-#include "evaluation/tracking_sequence.h"
-#include "real_data.h"
+#include "lab/evaluation/contestant.h"
+#include "lab/evaluation/tracker_run.h"
+#include "lab/evaluation/tracking_sequence.h"
+#include "support/real_data.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -86,5 +87,5 @@ void TestTrackingSequences::follows() {
   QVERIFY(*score.accuracy > 0.95);
 }
 
-QTEST_GUILESS_MAIN(TestTrackingSequences)
+BOOMWATCH_TEST(TestTrackingSequences)
 #include "test_tracking_sequences.moc"

@@ -2,7 +2,8 @@
 #include <QtTest>
 
 #include "camera_view.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 #include "theme.h"
 
 using namespace boomwatch;
@@ -309,5 +310,5 @@ void TestCameraView::aLoadAroundTheCameraIsHarmless() {
   QVERIFY(!view.grab().isNull());
 }
 
-QTEST_MAIN(TestCameraView)
+BOOMWATCH_TEST(TestCameraView)
 #include "test_camera_view.moc"

@@ -3,6 +3,7 @@
 
 #include "chart.h"
 #include "chart_scale.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -196,5 +197,5 @@ class TestChart : public QObject {
   }
 };
 
-QTEST_MAIN(TestChart)
+BOOMWATCH_TEST(TestChart)
 #include "test_chart.moc"

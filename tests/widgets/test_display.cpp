@@ -3,7 +3,8 @@
 #include <limits>
 
 #include "display.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -285,5 +286,5 @@ void TestDisplay::aCloudOfNothingButNanIsHarmless() {
   QVERIFY(!display->projection);
 }
 
-QTEST_GUILESS_MAIN(TestDisplay)
+BOOMWATCH_TEST(TestDisplay)
 #include "test_display.moc"

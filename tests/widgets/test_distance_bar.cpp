@@ -1,7 +1,8 @@
 #include <QtTest>
 
 #include "distance_bar.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 #include "texts.h"
 #include "theme.h"
 
@@ -245,5 +246,5 @@ void TestDistanceBar::everyLevelIsToldApartWithoutColour() {
   }
 }
 
-QTEST_MAIN(TestDistanceBar)
+BOOMWATCH_TEST(TestDistanceBar)
 #include "test_distance_bar.moc"

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "distance_plot.h"
+#include "support/test_registry.h"
 #include "texts.h"
 
 using namespace boomwatch;
@@ -181,5 +182,5 @@ class TestDistancePlot : public QObject {
   }
 };
 
-QTEST_MAIN(TestDistancePlot)
+BOOMWATCH_TEST(TestDistancePlot)
 #include "test_distance_plot.moc"

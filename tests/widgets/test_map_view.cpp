@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "map_view.h"
+#include "support/test_registry.h"
 #include "theme.h"
 
 using namespace boomwatch;
@@ -267,5 +268,5 @@ void TestMapView::aRayWithoutASurfaceHasADirection() {
   QVERIFY(shown.map.readout(cell + QPoint(3, 0)).startsWith("x/z "));
 }
 
-QTEST_MAIN(TestMapView)
+BOOMWATCH_TEST(TestMapView)
 #include "test_map_view.moc"

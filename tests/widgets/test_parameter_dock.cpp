@@ -11,7 +11,8 @@
 #include <QtTest>
 
 #include "parameter_row.h"
-#include "pipeline/parameter_table.h"
+#include "parameters/parameter_table.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -203,5 +204,6 @@ class TestParameterDock : public QObject {
   }
 };
 
-QTEST_MAIN(TestParameterDock)
+BOOMWATCH_TEST(TestParameterDock)
+#include "parameters/parameter_text.h"
 #include "test_parameter_dock.moc"

@@ -1,4 +1,5 @@
 #include "player_bar.h"
+#include "support/test_registry.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -151,5 +152,5 @@ class TestPlayerBar : public QObject {
   }
 };
 
-QTEST_MAIN(TestPlayerBar)
+BOOMWATCH_TEST(TestPlayerBar)
 #include "test_player_bar.moc"

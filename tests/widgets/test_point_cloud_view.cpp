@@ -2,7 +2,8 @@
 #include <QtTest>
 
 #include "point_cloud_view.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -38,5 +39,5 @@ void TestPointCloudView::withoutOpenGlEveryCallIsHarmless() {
   QVERIFY(view.image().isNull());
 }
 
-QTEST_MAIN(TestPointCloudView)
+BOOMWATCH_TEST(TestPointCloudView)
 #include "test_point_cloud_view.moc"

@@ -2,7 +2,8 @@
 #include <QtTest>
 
 #include "point_cloud_view.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 #include "theme.h"
 
 using namespace boomwatch;
@@ -174,5 +175,5 @@ void TestPointCloudViewGl::theImageIsOpaque() {
   }
 }
 
-QTEST_MAIN(TestPointCloudViewGl)
+BOOMWATCH_TEST(TestPointCloudViewGl)
 #include "test_point_cloud_view_gl.moc"

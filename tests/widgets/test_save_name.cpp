@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "save_name.h"
+#include "support/test_registry.h"
 
 using boomwatch::askSaveName;
 
@@ -69,5 +70,5 @@ void TestSaveName::nobodyWantsTo() {
       askSaveName(nullptr, "Save", name("boomwatch.tool"), "Models (*.tool)", "tool").isEmpty());
 }
 
-QTEST_MAIN(TestSaveName)
+BOOMWATCH_TEST(TestSaveName)
 #include "test_save_name.moc"

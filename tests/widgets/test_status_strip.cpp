@@ -3,6 +3,7 @@
 
 #include "pipeline/pipeline.h"
 #include "status_strip.h"
+#include "support/test_registry.h"
 
 using namespace boomwatch;
 
@@ -67,5 +68,5 @@ class TestStatusStrip : public QObject {
   }
 };
 
-QTEST_MAIN(TestStatusStrip)
+BOOMWATCH_TEST(TestStatusStrip)
 #include "test_status_strip.moc"

@@ -6,7 +6,8 @@
 #include <QtTest>
 
 #include "patch_strip.h"
-#include "scene_for_tests.h"
+#include "support/scene_for_tests.h"
+#include "support/test_registry.h"
 #include "tool_texts.h"
 #include "tracking/tool_model.h"
 #include "tracking_dock.h"
@@ -253,5 +254,5 @@ void TestTrackingDock::theKeyboardReachesEverything() {
   }
 }
 
-QTEST_MAIN(TestTrackingDock)
+BOOMWATCH_TEST(TestTrackingDock)
 #include "test_tracking_dock.moc"

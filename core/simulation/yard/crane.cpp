@@ -10,7 +10,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double pillarHeight = 2.2, mainLength = 3.9, jibLength = 2.7, leastExtension = 0.3;
+constexpr double pillarHeight = 2.2, mainLength = 3.9, jibLength = 2.7, minExtension = 0.3;
 
 /// From the grapple's own axes (x across the log, y down, z along it) to the yard's.
 struct Hanging {
@@ -43,7 +43,7 @@ void addBoom(Parts& parts, const Vector3d& pillar, const Vector3d& tip) {
   };
   const Vector3d shoulder = pillar - Vector3d(0.0, pillarHeight, 0.0);
   const double reach = (tip - shoulder).norm();
-  const double outer = std::max(jibLength + leastExtension, reach - 0.78 * mainLength);
+  const double outer = std::max(jibLength + minExtension, reach - 0.78 * mainLength);
   const Vector3d elbow = elbowOf(shoulder, tip, outer);
   const Vector3d side = (elbow - shoulder).cross(tip - elbow).normalized();
   const Vector3d main = (elbow - shoulder).normalized(), jib = (tip - elbow).normalized();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/yard/obstacles.h"
+#include "simulation/yard/yard_obstacles.h"
 
 namespace boomwatch {
 

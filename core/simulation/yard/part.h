@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simulation/convex_distance.h"
+#include "simulation/convex_pair.h"
 #include "simulation/solids.h"
 
 namespace boomwatch {

@@ -3,10 +3,10 @@
 #include <array>
 #include <memory>
 
-#include "simulation/yard/painter.h"
+#include "frame/stereo_rig.h"
 #include "simulation/yard/yard_options.h"
+#include "simulation/yard/yard_picture.h"
 #include "simulation/yard/yard_truth.h"
-#include "stereo/stereo_rig.h"
 
 namespace boomwatch {
 

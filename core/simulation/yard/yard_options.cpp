@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "frame/error.h"
+#include "base/error.h"
 
 namespace boomwatch {
 namespace {

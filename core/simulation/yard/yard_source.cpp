@@ -1,8 +1,8 @@
 #include "simulation/yard/yard_source.h"
 
 #include "simulation/yard/depth_cloud.h"
-#include "simulation/yard/sensor.h"
 #include "simulation/yard/yard.h"
+#include "simulation/yard/yard_sensor.h"
 #include "sources/indexed_source.h"
 
 namespace boomwatch {

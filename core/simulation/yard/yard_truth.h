@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/yard/obstacles.h"
+#include "simulation/yard/yard_obstacles.h"
 
 namespace boomwatch {
 

@@ -1,0 +1,202 @@
+#include "lab/experiments/chain_stage.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "frame/stereo_rig.h"
+#include "simulation/yard/depth_cloud.h"
+#include "simulation/yard/yard_sensor.h"
+#include "simulation/yard/yard_truth.h"
+#include "tracking/make_tracker.h"
+
+namespace boomwatch {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double depthNoise = 0.2;  // pixels of disparity, as demo:yard,as=depth has by default
+constexpr double seenShare = 0.25;  // of the tool: the least that a tracker could follow
+
+PinholeCamera cameraOf(const Frame& frame) {
+  return {frame.left.cols, frame.left.rows, PinholeCamera{}.focal};
+}
+
+bool hasItsPlace(YardKind kind) { return kind != YardKind::Nothing && !moves(kind); }
+
+/// How much of what is seen lies how far from the load.
+class SeenArea {
+  static constexpr std::size_t bins = 400;
+  static constexpr double width = 0.01;  // metres
+
+ public:
+  static constexpr double range = bins * width;  ///< metres; what is farther is not counted
+
+  void add(double distance, double area) {
+    const double bin = distance / width;
+    if (bin < bins) m_areas[static_cast<std::size_t>(bin)] += area;
+  }
+  /// Metres within which there is as much as `area`, square metres.
+  std::optional<double> within(double area) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < bins; ++k) {
+      sum += m_areas[k];
+      if (sum >= area) return static_cast<double>(k + 1) * width;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::array<double, bins> m_areas{};
+};
+
+/// The nearest of the static surfaces that the camera sees.
+void lookAround(const Frame& frame, ChainFrame& truth) {
+  const YardTruth& yard = *frame.truth->yard;
+  const PinholeCamera camera = cameraOf(frame);
+  SeenArea area;
+  double nearest = std::numeric_limits<double>::infinity();
+  const double loadRadius = 0.5 * yard.load.size.norm();
+  for (int v = 0; v < yard.depth.rows; ++v) {
+    const auto* depth = yard.depth.ptr<float>(v);
+    const auto* kind = yard.kind.ptr<std::uint8_t>(v);
+    for (int u = 0; u < yard.depth.cols; ++u) {
+      if (!hasItsPlace(YardKind{kind[u]}) || !std::isfinite(depth[u])) continue;
+      const Vector3d p = double{depth[u]} * camera.ray(u, v);
+      const double least = (p - yard.load.centre).norm() - loadRadius;
+      if (least >= std::max(nearest, SeenArea::range)) continue;  // changes neither
+      const double distance = (yard.load.nearestTo(p) - p).norm();
+      const double pixel = double{depth[u]} / camera.focal;
+      area.add(distance, pixel * pixel);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      truth.seenKind = YardKind{kind[u]};
+    }
+  }
+  if (std::isfinite(nearest)) truth.seen = nearest;
+  truth.patch = area.within(minPatch * minPatch);
+}
+
+/// What stands where the chain has its nearest point.
+YardKind kindAt(const Frame& frame, const Vector3d& p) {
+  constexpr double close = 0.2;  // metres
+  const YardTruth& yard = *frame.truth->yard;
+  const PinholeCamera camera = cameraOf(frame);
+  if (p.z() < 0.1) return YardKind::Nothing;
+  const int u0 = static_cast<int>(std::lround(camera.focal * p.x() / p.z() + camera.cx()));
+  const int v0 = static_cast<int>(std::lround(camera.focal * p.y() / p.z() + camera.cy()));
+  const int reach = static_cast<int>(std::ceil(close * camera.focal / p.z()));
+  const cv::Rect around = cv::Rect(u0 - reach, v0 - reach, 2 * reach + 1, 2 * reach + 1) &
+                          cv::Rect({0, 0}, yard.depth.size());
+  double nearest = close;
+  YardKind kind = YardKind::Nothing;
+  for (int v = around.y; v < around.br().y; ++v) {
+    for (int u = around.x; u < around.br().x; ++u) {
+      const auto z = static_cast<double>(yard.depth.at<float>(v, u));
+      if (!std::isfinite(z)) continue;
+      const double distance = (z * camera.ray(u, v) - p).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      kind = YardKind{yard.kind.at<std::uint8_t>(v, u)};
+    }
+  }
+  return kind;
+}
+
+std::optional<double> lesser(const std::optional<YardApproach>& a,
+                             const std::optional<YardApproach>& b) {
+  if (!a && !b) return std::nullopt;
+  if (!a || !b) return (a ? a : b)->pair.distance;
+  return std::min(a->pair.distance, b->pair.distance);
+}
+
+Parameters parametersOf(ChainKind kind, Parameters parameters) {
+  parameters.load.source = kind == ChainKind::Everything ? LoadSource::Detected : LoadSource::Scene;
+  return parameters;
+}
+
+}  // namespace
+
+std::string_view nameOf(ChainKind kind) {
+  switch (kind) {
+    case ChainKind::MaskedCloud:
+      return "exact mask, exact points";
+    case ChainKind::MaskedDepth:
+      return "exact mask, noisy depth";
+    case ChainKind::TruthCloud:
+      return "truth cloud";
+    case ChainKind::NoisyDepth:
+      return "noisy depth";
+    case ChainKind::Stereo:
+      return "stereo";
+    case ChainKind::Everything:
+      return "stereo + tracker + detector";
+  }
+  return "";
+}
+
+ChainFrame truthOf(const Frame& frame, const Frame* before) {
+  const YardTruth& yard = *frame.truth->yard;
+  ChainFrame truth;
+  truth.stamp = frame.stamp;
+  truth.truth = frame.truth->distance;
+  truth.truthKind = yard.nearest.kind;
+  truth.moving = lesser(yard.person, yard.branch);
+  if (before && frame.stamp > before->stamp) {
+    truth.speed = (yard.load.centre - before->truth->yard->load.centre).norm() /
+                  (frame.stamp - before->stamp);
+  }
+  lookAround(frame, truth);
+  return truth;
+}
+
+ChainStage::ChainStage(ChainKind kind, const Parameters& parameters, std::uint64_t seed)
+    : m_kind(kind),
+      m_parameters(parametersOf(kind, parameters)),
+      m_seed(seed),
+      m_pipeline(kind == ChainKind::Everything ? TrackerMaker(makeTracker) : m_tool.maker()) {}
+
+FramePtr ChainStage::sensed(const FramePtr& frame) const {
+  if (m_kind == ChainKind::Stereo || m_kind == ChainKind::Everything) return frame;
+  auto made = std::make_shared<Frame>(*frame);
+  const YardTruth& yard = *frame->truth->yard;
+  cv::Mat depth = yard.depth.clone();
+  if (m_kind == ChainKind::NoisyDepth || m_kind == ChainKind::MaskedDepth) {
+    addDepthNoise(depth, depthNoise, yard.depthTimesDisparity,
+                  depthNoiseStream(m_seed, frame->sequence));
+    roundToMillimetres(depth);
+  }
+  made->cloud = cloudOf(depth, cameraOf(*frame));
+  made->right.release();
+  made->rig.reset();
+  return made;
+}
+
+/// Everything is left to the chain itself: it begins with the box that the source offers.
+void ChainStage::showTool(const Frame& frame) {
+  if (m_kind == ChainKind::Everything) return;
+  m_tool.set(toolBoxIn(frame, seenShare));
+  if (!m_begun) m_pipeline.order(TrueTool::order());
+  m_begun = true;
+}
+
+MaskedChain::Outcome ChainStage::look(const FramePtr& frame) {
+  if (isMasked()) return m_masked.process(*sensed(frame), m_parameters);
+  showTool(*frame);
+  const Result result = m_pipeline.process(sensed(frame), m_parameters);
+  return {result.clearance, result.level};
+}
+
+void ChainStage::process(const FramePtr& frame, const ChainFrame& truth) {
+  const MaskedChain::Outcome outcome = look(frame);
+  ChainFrame seen = truth;
+  seen.level = outcome.level;
+  seen.reason = outcome.clearance.reason;
+  if (const auto& nearest = outcome.clearance.nearest) {
+    seen.reported = nearest->distance;
+    seen.blamed = kindAt(*frame, nearest->onEnvironment);
+  }
+  m_frames.push_back(seen);
+}
+
+}  // namespace boomwatch

@@ -1,0 +1,48 @@
+#include "lab/experiments/yard_stream.h"
+
+#include <algorithm>
+
+#include "lab/experiments/true_tool.h"
+#include "simulation/demo_source.h"
+
+namespace boomwatch {
+namespace {
+
+constexpr double seenShare = 0.5;
+
+class YardStream : public ImageStream {
+ public:
+  explicit YardStream(std::unique_ptr<FrameSource> source) : m_source(std::move(source)) {}
+
+  std::size_t count() const override { return m_source->info().frameCount.value_or(0); }
+  std::optional<double> rate() const override { return m_source->info().nominalRate; }
+  std::optional<cv::Size> size() const override { return std::nullopt; }
+  StreamImage read(std::size_t index) override {
+    if (!m_source->seek(index)) return {{}, "there is no such frame", true};
+    return {m_source->next({}).frame->left, {}, false};
+  }
+
+ private:
+  std::unique_ptr<FrameSource> m_source;
+};
+
+}  // namespace
+
+std::optional<TrackingSequence> yardSequence(std::uint64_t seed, std::size_t frames,
+                                             const ExperimentProgress& progress) {
+  const std::string demo = "yard,as=cloud,path=random,seed=" + std::to_string(seed) +
+                           ",frames=" + std::to_string(frames);
+  auto source = openDemoSource(demo, "demo:" + demo);
+  TrackingSequence sequence;
+  sequence.name = "yard, seed " + std::to_string(seed);
+  for (std::size_t k = 0; k < frames; ++k) {
+    sequence.truth.push_back(toolBoxIn(*source->next({}).frame, seenShare));
+    if (!progress(static_cast<double>(k + 1) / static_cast<double>(frames))) return std::nullopt;
+  }
+  const bool any = std::ranges::any_of(sequence.truth, [](const auto& box) { return !!box; });
+  if (!any) return std::nullopt;
+  sequence.images = std::make_unique<YardStream>(std::move(source));
+  return sequence;
+}
+
+}  // namespace boomwatch

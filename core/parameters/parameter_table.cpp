@@ -1,0 +1,27 @@
+#include "parameters/parameter_table.h"
+
+#include "parameters/environment_rows.h"
+#include "parameters/load_and_stereo_rows.h"
+
+namespace boomwatch {
+namespace {
+
+using namespace table_row;
+
+constexpr auto table = [] {
+  std::array<ParameterInfo, modelRows.size() + sensingRows.size()> all{};
+  std::copy(sensingRows.begin(), sensingRows.end(),
+            std::copy(modelRows.begin(), modelRows.end(), all.begin()));
+  return all;
+}();
+
+// Every field of Parameters has a row: as many rows as leaves, and no key twice.
+static_assert(leafCount<Parameters>() == table.size(), "a field of Parameters has no row");
+static_assert(keysUnique(table), "two rows have the same key");
+static_assert(defaultsInRange(table), "a default lies outside its range");
+
+}  // namespace
+
+std::span<const ParameterInfo> parameterTable() { return table; }
+
+}  // namespace boomwatch

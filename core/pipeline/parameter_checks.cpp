@@ -1,0 +1,159 @@
+#include "pipeline/parameter_checks.h"
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "base/error.h"
+#include "environment/cell_update.h"
+#include "environment/grid_geometry.h"
+
+namespace boomwatch {
+namespace {
+
+std::string format(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
+void requireOrder(const char* lowKey, double low, const char* highKey, double high) {
+  if (low < high) return;
+  throw Error("parameters '" + std::string(lowKey) + "' and '" + highKey + "'",
+              format(low) + " is not below " + format(high),
+              "Set " + std::string(lowKey) + " below " + highKey + ".");
+}
+
+void requireModelFits(const Parameters& p) {
+  // Not by GridGeometry: its whole numbers end where these need not.
+  const auto cells = [&](double low, double high) {
+    return std::floor((high - low) / p.model.resolution);
+  };
+  const GridGeometry::Plane plane = GridGeometry::planeOf(p.bounds, p.model.projection);
+  const double columns = cells(plane.left, plane.right);
+  const double rows = cells(plane.top, plane.bottom);
+  if (!(columns >= 1 && rows >= 1)) {  // a NaN is refused as well
+    throw Error("parameter 'resolution'", "a cell is larger than the bounds",
+                "Lower resolution or widen the bounds.");
+  }
+  const double megabytes = columns * rows * GridGeometry::bytesPerCell / 1e6;
+  if (!(megabytes <= p.model.memoryLimit)) {
+    throw Error("parameter 'resolution'",
+                "the model would take " + format(std::round(megabytes)) +
+                    " MB, more than memory_limit (" + std::to_string(p.model.memoryLimit) + " MB)",
+                "Raise resolution, narrow the bounds or raise memory_limit.");
+  }
+}
+
+void requireTimesInOrder(const WarningParameters& warning) {
+  if (warning.cautionTime == 0.0 || warning.warningTime <= warning.cautionTime) return;
+  throw Error("parameters 'warning_time' and 'caution_time'",
+              format(warning.warningTime) + " is more than " + format(warning.cautionTime),
+              "Set warning_time to caution_time or less, or caution_time to 0 (off).");
+}
+
+void requireThresholdsApart(const ModelParameters& model) {
+  if (model.update != ModelUpdate::Hysteresis) return;
+  requireOrder("leave_threshold", model.leaveThreshold, "probtresh", model.probtresh);
+}
+
+void requireRaysForward(const Parameters& p) {
+  if (p.model.projection != ModelProjection::Perspective) return;
+  if (p.bounds.zMin < 0.0) {
+    throw Error("parameter 'model_projection'",
+                "a perspective model begins at the camera, but z_min is " + format(p.bounds.zMin),
+                "Set z_min to 0 or more, or model_projection to parallel.");
+  }
+  if (p.clearance.method == ClearanceMethod::Rays) {
+    throw Error("parameters 'model_projection' and 'clearance_method'",
+                "the search rays lie in the plane of a parallel model",
+                "Set clearance_method to exact, or model_projection to parallel.");
+  }
+}
+
+void requireSomethingWatched(const WatchParameters& watch) {
+  if (watch.load || watch.tool || watch.boom) return;
+  throw Error("parameters 'watch_load', 'watch_tool' and 'watch_boom'", "all of them are off",
+              "Switch at least one of them on.");
+}
+
+void requireSolidIsExact(const ClearanceParameters& clearance) {
+  if (clearance.unknownSpace != UnknownSpace::Solid) return;
+  if (clearance.method == ClearanceMethod::Exact) return;
+  throw Error("parameters 'unknown_space' and 'clearance_method'",
+              "search rays only meet surfaces, not unseen space",
+              "Set clearance_method to exact, or unknown_space to show.");
+}
+
+/// Outside the bounds every point would count as seen through, and what they show as free.
+void requireReprojectionInside(const Parameters& p) {
+  const auto& z = p.filter.zReprojection;
+  if (!z || (*z >= p.bounds.zMin && *z < p.bounds.zMax)) return;
+  throw Error("parameter 'z_reprojection'",
+              format(*z) + " m is not between z_min (" + format(p.bounds.zMin) + ") and z_max (" +
+                  format(p.bounds.zMax) + ")",
+              "Give a depth inside the bounds, or off.");
+}
+
+void requireMatcherSettings(const StereoParameters& stereo) {
+  constexpr int maxOfSgbm = 15;
+  if (stereo.disparities % 16 != 0) {
+    throw Error("parameter 'stereo_disparities'", "not a multiple of 16", "Round it to one.");
+  }
+  if (stereo.blockSize % 2 == 0) {
+    throw Error("parameter 'stereo_block_size'", "not odd", "Add one.");
+  }
+  if (stereo.matcher == StereoMatcherKind::Bm && stereo.blockSize < 5) {
+    throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
+  }
+  if (stereo.matcher == StereoMatcherKind::Sgbm && stereo.blockSize > maxOfSgbm) {
+    throw Error("parameter 'stereo_block_size'", "sgbm takes at most 15", "Set 15 or less.");
+  }
+}
+
+}  // namespace
+
+void validate(const Parameters& p) {
+  requireOrder("x_min", p.bounds.xMin, "x_max", p.bounds.xMax);
+  requireOrder("y_min", p.bounds.yMin, "y_max", p.bounds.yMax);
+  requireOrder("z_min", p.bounds.zMin, "z_max", p.bounds.zMax);
+  requireOrder("warning_distance", p.warning.warningDistance, "caution_distance",
+               p.warning.cautionDistance);
+  requireTimesInOrder(p.warning);
+  requireRaysForward(p);
+  requireSolidIsExact(p.clearance);
+  requireSomethingWatched(p.watch);
+  requireModelFits(p);
+  requireThresholdsApart(p.model);
+  requireReprojectionInside(p);
+  requireMatcherSettings(p.stereo);
+}
+
+std::vector<ParameterWarning> warningsFor(const Parameters& p) {
+  std::vector<ParameterWarning> warnings;
+  if (!framesToEnter(p.model)) {
+    const bool odds = p.model.update == ModelUpdate::LogOdds;
+    warnings.push_back({ParameterRemark::NothingEnters, "probtresh",
+                        std::string("probtresh is at or above ") +
+                            (odds ? "log_odds_high" : "p_prior / (1 - p_post)") +
+                            ", the highest probability a cell can reach: nothing enters the "
+                            "model"});
+  }
+  if (!letsGo(p.model)) {
+    warnings.push_back({ParameterRemark::NothingLeaves, "probtresh",
+                        "probtresh is so low that a cell which is looked through stays occupied: "
+                        "what has entered the model never leaves"});
+  }
+  // "Nothing in range" is shown as clear, so it has to reach as far as caution begins.
+  if (searchIsShort(p)) {
+    const bool rays = p.clearance.method == ClearanceMethod::Rays;
+    warnings.push_back({ParameterRemark::SearchTooShort, rays ? "radius" : "range",
+                        "the search ends at " + format(searchReach(p)) +
+                            " m, before caution_distance (" + format(p.warning.cautionDistance) +
+                            " m): where it finds nothing there is no distance, rather than clear"});
+  }
+  return warnings;
+}
+
+}  // namespace boomwatch
