@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <csignal>
 
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 #include "support/tracking_folder.h"
 
@@ -42,7 +43,7 @@ void TestEvaluation::init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
 TestEvaluation::Run TestEvaluation::run(const QStringList& arguments) const {
   QProcess process;
-  process.start(QStringLiteral(BOOMWATCH_PROGRAM), QStringList{"--evaluate"} + arguments);
+  process.start(builtProgram("boomwatch"), QStringList{"--evaluate"} + arguments);
   if (!process.waitForFinished(120000)) {
     process.kill();
     process.waitForFinished();
@@ -167,7 +168,7 @@ void TestEvaluation::interruptedItSaysWhatIsWhole() {
   writeSequence("all/a", 5);
   writeSequence("all/b", 400);
   QProcess process;
-  process.start(QStringLiteral(BOOMWATCH_PROGRAM),
+  process.start(builtProgram("boomwatch"),
                 {"--evaluate", "tracking", path("all"), "--tracker", "klt", "--tracker",
                  "opencv_csrt", "--output", path("out")});
   QByteArray errors;

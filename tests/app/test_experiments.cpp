@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <csignal>
 
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 #include "support/tracking_folder.h"
 
@@ -31,7 +32,7 @@ class TestExperiments : public QObject {
     return {normal ? process.exitCode() : -1, process.readAllStandardError()};
   }
   static Run run(const QStringList& arguments) {
-    return run(QStringLiteral(BOOMWATCH_PROGRAM), QStringList{"--experiments"} + arguments);
+    return run(builtProgram("boomwatch"), QStringList{"--experiments"} + arguments);
   }
   static QByteArray contents(const QString& path) {
     QFile file(path);
@@ -98,7 +99,7 @@ class TestExperiments : public QObject {
 
   void anInterruptLeavesNothing() {
     QProcess process;
-    process.start(QStringLiteral(BOOMWATCH_PROGRAM),
+    process.start(builtProgram("boomwatch"),
                   {"--experiments", "--sequences", "1", "--output", path("report")});
     process.setReadChannel(QProcess::StandardError);
     QByteArray said = process.readAllStandardError();
@@ -121,8 +122,7 @@ class TestExperiments : public QObject {
     const QString command = QStringLiteral(
         "trap '' XFSZ; ulimit -f 1; exec \"$0\" --experiments --sequences 1 --frames 4 --output "
         "\"$1\"");
-    const Run result =
-        run("bash", {"-c", command, QStringLiteral(BOOMWATCH_PROGRAM), path("full")});
+    const Run result = run("bash", {"-c", command, builtProgram("boomwatch"), path("full")});
     QVERIFY2(result.exitCode == 1, result.errors.constData());
     QVERIFY2(result.errors.contains("cannot be written"), result.errors.constData());
     QVERIFY(result.errors.contains(path("full").toLocal8Bit()));
@@ -163,7 +163,7 @@ class TestExperiments : public QObject {
   }
 
   void whatBelongsToTheExperimentsIsNotIgnored() {
-    const Run result = run(QStringLiteral(BOOMWATCH_PROGRAM), {"--headless", "--sequences", "3"});
+    const Run result = run(builtProgram("boomwatch"), {"--headless", "--sequences", "3"});
     QCOMPARE(result.exitCode, 2);
     QVERIFY(result.errors.contains("--experiments"));
   }

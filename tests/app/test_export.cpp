@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <csignal>
 
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 
 /// Exports a demo with the program itself.
@@ -11,7 +12,7 @@ class TestExport : public QObject {
   Q_OBJECT
 
   static void start(QProcess& process, const QStringList& arguments) {
-    process.start(QStringLiteral(BOOMWATCH_PROGRAM), arguments);
+    process.start(builtProgram("boomwatch"), arguments);
   }
   static int codeOf(QProcess& process) {
     if (!process.waitForFinished(120000)) process.kill();

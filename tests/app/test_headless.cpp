@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "parameters/parameter_table.h"
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 
 /// Runs the program itself, as a person or a script would.
@@ -37,7 +38,7 @@ class TestHeadless : public QObject {
 
 TestHeadless::Run TestHeadless::run(const QStringList& arguments) {
   QProcess process;
-  process.start(QStringLiteral(BOOMWATCH_PROGRAM), arguments);
+  process.start(builtProgram("boomwatch"), arguments);
   if (!process.waitForFinished(120000)) {
     process.kill();
     process.waitForFinished();

@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "support/build_paths.h"
 #include "support/program_run.h"
 #include "support/test_registry.h"
 
@@ -102,7 +103,8 @@ class TestHeadlessTool : public QObject {
     row("no such tracker", {"--tracker", "goturn"}, "goturn");
     row("neither on nor off", {"--learn", "maybe"}, "--learn");
     row("no such model", {"--tracker-model", "/there/is/no.tool"}, "/there/is/no.tool");
-    row("a model that is none", {"--tracker-model", BOOMWATCH_PROGRAM}, BOOMWATCH_PROGRAM);
+    row("a model that is none", {"--tracker-model", builtProgram("boomwatch")},
+        builtProgram("boomwatch"));
     row("a model for klt", {"--tracker", "klt", "--tracker-model", "a.tool"}, "--tracker-model");
     row("klt saves none", {"--tracker", "klt", "--save-tracker-model", "a.tool"}, "tld");
     row("a box by hand", {"--tracker", "manual", "--track", "1,1,60,60"}, "--track");

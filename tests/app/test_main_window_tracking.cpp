@@ -6,6 +6,7 @@
 
 #include "main_window.h"
 #include "parameter_row.h"
+#include "parameters/parameter_text.h"
 #include "support/fake_source.h"
 #include "support/flat_scene.h"
 #include "support/test_registry.h"
@@ -141,5 +142,4 @@ class TestMainWindowTracking : public QObject {
 };
 
 BOOMWATCH_TEST(TestMainWindowTracking)
-#include "parameters/parameter_text.h"
 #include "test_main_window_tracking.moc"

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "open_source.h"
 #include "sources/frame_source.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -44,5 +45,4 @@ class TestOpenSource : public QObject {
 };
 
 BOOMWATCH_TEST(TestOpenSource)
-#include "open_source.h"
 #include "test_open_source.moc"

@@ -7,6 +7,7 @@
 #include "main_window.h"
 #include "parameters/parameter_table.h"
 #include "state_text.h"
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -32,7 +33,7 @@ class TestTranslation : public QObject {
   }
 
   void noTextIsLeftUntranslated() {
-    QFile file(QFINDTESTDATA("../translations/boomwatch_de.ts"));
+    QFile file(sourceFile("translations/boomwatch_de.ts"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QString text = QString::fromUtf8(file.readAll());
     QVERIFY(text.count("<source>") > 250);
@@ -41,7 +42,7 @@ class TestTranslation : public QObject {
   }
 
   void placeholdersAreKept() {
-    QFile file(QFINDTESTDATA("../translations/boomwatch_de.ts"));
+    QFile file(sourceFile("translations/boomwatch_de.ts"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     static const QRegularExpression message(
         QStringLiteral("<source>(.*?)</source>\\s*<translation>(.*?)</translation>"),

@@ -9,6 +9,7 @@
 #include <opencv2/videoio.hpp>
 #include <random>
 
+#include "open_source.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/scene_motion.h"
 #include "sources/frame_source.h"
@@ -256,5 +257,4 @@ void TestDebianData::streetSeenByAStillCameraDoesNotMoveAsAWhole() {
 }
 
 BOOMWATCH_TEST(TestDebianData)
-#include "open_source.h"
 #include "test_debian_data.moc"

@@ -7,6 +7,7 @@
 #include "support/real_data.h"
 #include "support/test_registry.h"
 #include "tracking/tld_tracker.h"
+#include "tracking/tool_model_file.h"
 
 using namespace boomwatch;
 
@@ -128,4 +129,3 @@ void TestTldSequences::aModelFileCarriesWhatWasLearnt() {
 
 BOOMWATCH_TEST(TestTldSequences)
 #include "test_tld_sequences.moc"
-#include "tracking/tool_model_file.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "open_source.h"
 #include "support/conveyor.h"
 #include "support/real_data.h"
 #include "support/sequence.h"
@@ -179,5 +180,4 @@ void TestTrackedRecordings::theHeadOfAPersonWhoTurns() {
 }
 
 BOOMWATCH_TEST(TestTrackedRecordings)
-#include "open_source.h"
 #include "test_tracked_recordings_slow.moc"

@@ -8,6 +8,8 @@
 #include <QProcess>
 #include <functional>
 
+#include "support/build_paths.h"
+
 /// What the program, started without a window, said and how it ended.
 struct ProgramRun {
   int exitCode = -1;  ///< -1: it crashed or hung
@@ -17,7 +19,7 @@ struct ProgramRun {
 
 inline ProgramRun runProgram(const QStringList& arguments) {
   QProcess process;
-  process.start(QStringLiteral(BOOMWATCH_PROGRAM), QStringList{"--headless"} + arguments);
+  process.start(builtProgram("boomwatch"), QStringList{"--headless"} + arguments);
   if (!process.waitForFinished(120000)) {
     process.kill();
     process.waitForFinished();

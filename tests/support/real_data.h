@@ -1,13 +1,9 @@
 #pragma once
 
-#include <QFileInfo>
-#include <QString>
 #include <QtTest>
 
-/// A path below the folder of recordings; tests skip where it is absent.
-inline QString sharedData(const QString& relative) {
-  return QStringLiteral(BOOMWATCH_SHARED_DATA "/") + relative;
-}
+#include "support/build_paths.h"
 
+/// Skips the test where a recording is absent.
 #define REQUIRE_DATA(path) \
   if (!QFileInfo::exists(path)) QSKIP(qPrintable("absent: " + QString(path)))

@@ -12,6 +12,7 @@
 
 #include "parameter_row.h"
 #include "parameters/parameter_table.h"
+#include "parameters/parameter_text.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -205,5 +206,4 @@ class TestParameterDock : public QObject {
 };
 
 BOOMWATCH_TEST(TestParameterDock)
-#include "parameters/parameter_text.h"
 #include "test_parameter_dock.moc"

@@ -2,6 +2,8 @@
 #include <limits>
 
 #include "parameters/parameter_table.h"
+#include "parameters/parameter_text.h"
+#include "pipeline/parameter_checks.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -257,6 +259,4 @@ class TestParameters : public QObject {
 };
 
 BOOMWATCH_TEST(TestParameters)
-#include "parameters/parameter_text.h"
-#include "pipeline/parameter_checks.h"
 #include "test_parameter_checks.moc"

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "open_source.h"
 #include "pipeline/pipeline.h"
 #include "simulation/scene.h"
 #include "sources/frame_source.h"
@@ -76,5 +77,4 @@ void TestThesisNumbers::figure21ReportsTheGableAndAdmitsWhatItDidNotSee() {
 }
 
 BOOMWATCH_TEST(TestThesisNumbers)
-#include "open_source.h"
 #include "test_thesis_numbers.moc"

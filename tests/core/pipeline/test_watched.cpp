@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "crane/crane_boxes.h"
+#include "pipeline/parameter_checks.h"
 #include "pipeline/pipeline.h"
 #include "support/collision_scenes.h"
 #include "support/flat_scene.h"
@@ -237,5 +238,4 @@ void TestWatched::aLeafBeforeTheToolTeachesNothingAtFirst() {
 }
 
 BOOMWATCH_TEST(TestWatched)
-#include "pipeline/parameter_checks.h"
 #include "test_watched.moc"

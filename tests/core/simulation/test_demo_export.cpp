@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "frame/stereo_rig.h"
+#include "open_source.h"
 #include "simulation/demo_export.h"
 #include "sources/frame_source.h"
 #include "support/temporary_file.h"
@@ -200,5 +201,4 @@ class TestDemoExport : public QObject {
 };
 
 BOOMWATCH_TEST(TestDemoExport)
-#include "open_source.h"
 #include "test_demo_export.moc"

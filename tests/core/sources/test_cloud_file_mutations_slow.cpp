@@ -4,6 +4,7 @@
 #include <functional>
 #include <random>
 
+#include "pipeline/parameter_checks.h"
 #include "pipeline/preset_file.h"
 #include "sources/cloud_file.h"
 #include "sources/depth_camera.h"
@@ -155,5 +156,4 @@ class TestCloudFileMutations : public QObject {
 };
 
 BOOMWATCH_TEST(TestCloudFileMutations)
-#include "pipeline/parameter_checks.h"
 #include "test_cloud_file_mutations_slow.moc"

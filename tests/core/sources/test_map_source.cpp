@@ -2,9 +2,11 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "open_source.h"
 #include "pipeline/pipeline.h"
 #include "sources/cloud_file.h"
 #include "sources/frame_source.h"
+#include "support/build_paths.h"
 #include "support/real_data.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -136,8 +138,7 @@ void TestMapSource::refuses() {
 
 /// ISPRS's airborne laser points, put into a grid of 1 m here: the map must go through them.
 void TestMapSource::terrainFromTheAir() {
-  const auto file =
-      std::filesystem::path(BOOMWATCH_SHARED_DATA) / "terrain_isprs_als" / "samp11-utm-ground.pcd";
+  const auto file = sharedData("terrain_isprs_als/samp11-utm-ground.pcd").toStdString();
   if (!std::filesystem::exists(file)) QSKIP("the terrain of ../shared/data is not here");
   const auto ground = readCloudFile(file).cloud;
   Eigen::AlignedBox3f box;
@@ -179,5 +180,4 @@ void TestMapSource::terrainFromTheAir() {
 }
 
 BOOMWATCH_TEST(TestMapSource)
-#include "open_source.h"
 #include "test_map_source.moc"

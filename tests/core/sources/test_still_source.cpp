@@ -2,6 +2,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "open_source.h"
 #include "pipeline/pipeline.h"
 #include "sources/frame_source.h"
 #include "support/flat_scene.h"
@@ -97,5 +98,4 @@ void TestStillSource::aSingleBadFileSaysSoAndEnds() {
 }
 
 BOOMWATCH_TEST(TestStillSource)
-#include "open_source.h"
 #include "test_still_source.moc"

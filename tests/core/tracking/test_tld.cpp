@@ -5,6 +5,7 @@
 #include "support/test_registry.h"
 #include "support/tracked_target.h"
 #include "tracking/tld_tracker.h"
+#include "tracking/tool_model_file.h"
 
 using namespace boomwatch;
 using boomwatch::test::TargetScene;
@@ -205,4 +206,3 @@ void TestTld::saysTheSameTwice() {
 
 BOOMWATCH_TEST(TestTld)
 #include "test_tld.moc"
-#include "tracking/tool_model_file.h"

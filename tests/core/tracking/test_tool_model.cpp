@@ -6,6 +6,7 @@
 #include "support/test_registry.h"
 #include "tracking/learnt_patches.h"
 #include "tracking/tool_model.h"
+#include "tracking/tool_model_file.h"
 
 using namespace boomwatch;
 
@@ -146,4 +147,3 @@ void TestToolModel::forgetsWhatIsReplaced() {
 
 BOOMWATCH_TEST(TestToolModel)
 #include "test_tool_model.moc"
-#include "tracking/tool_model_file.h"

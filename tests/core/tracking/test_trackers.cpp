@@ -7,6 +7,7 @@
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 #include "support/tracked_target.h"
+#include "tracking/make_tracker.h"
 #include "tracking/tool_model.h"
 #include "tracking/tracker.h"
 
@@ -240,4 +241,3 @@ void TestTrackers::onlyTldHasAModel() {
 
 BOOMWATCH_TEST(TestTrackers)
 #include "test_trackers.moc"
-#include "tracking/make_tracker.h"
