@@ -9,9 +9,9 @@
 namespace boomwatch {
 
 /// The distance as a glance should meet it: level in a word and a shape, a number readable from two
-/// metres, and a red bar that begins at the caution distance and is full at collision (method.md
-/// section 8). Hatched, with the reason in words, when there is no distance. Its size never depends
-/// on what it shows. GUI thread.
+/// metres, and a red bar that begins at the caution distance and is full at collision
+/// (docs/method.md section 8). Hatched, with the reason in words, when there is no distance. Its
+/// size never depends on what it shows. GUI thread.
 class DistanceBar : public QWidget {
   Q_OBJECT
 

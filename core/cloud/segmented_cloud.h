@@ -15,7 +15,8 @@ struct SegmentedCloud {
   Points noise;       ///< what the low-pass dropped
 };
 
-/// Crop, z-reprojection, downsample to R, low-pass, Euclidean clusters (method.md section 5). Pure.
+/// Crop, z-reprojection, downsample to R, low-pass, Euclidean clusters. Pure.
+/// Source: docs/method.md section 5.
 ///
 /// Points belong together that are nearer than the cluster tolerance or 2 R, whichever is more:
 /// downsampling to R leaves neighbours up to that far apart, and a surface must not fall to pieces.

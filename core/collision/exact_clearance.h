@@ -12,7 +12,7 @@ namespace boomwatch {
 
 /// The shortest distance from a box to the surface point of any occupied cell: the same answer as
 /// looking at every cell, found by best-first branch and bound over a min/max pyramid of the depth
-/// levels (method.md section 7, Beyond).
+/// levels (docs/method.md section 7, Beyond).
 ///
 /// rebuild() after every update of the model, then query() as often as wanted; query() is const and
 /// may run on several threads at once. Keeps what it needs of the model: the model may go.

@@ -10,7 +10,8 @@ namespace boomwatch {
 
 /// How much of the space around a box was ever observed. A cell was never observed where nothing
 /// was ever seen in it, and where its surface lies nearer to the camera than all of the box: what
-/// is beside the box there is hidden behind that surface (the 2.5-D limit, method.md section 6).
+/// is beside the box there is hidden behind that surface (the 2.5-D limit; docs/method.md
+/// section 6).
 ///
 /// In perspective cells are rays, and the reach is that of the box's point nearest to the camera.
 ///

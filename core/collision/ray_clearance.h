@@ -6,9 +6,9 @@
 
 namespace boomwatch {
 
-/// The thesis's two-phase search (method.md section 7, Eq. 12-21): cells behind the box, then rays
-/// of `radius` cells every `interval` cells along its sides and one from each corner. Misses what
-/// lies between the rays; kept for comparison, and drawn as in Fig. 14. Pure.
+/// The thesis's two-phase search (docs/method.md section 7, Eq. 12-21): cells behind the box, then
+/// rays of `radius` cells every `interval` cells along its sides and one from each corner. Misses
+/// what lies between the rays; kept for comparison, and drawn as in Fig. 14. Pure.
 ///
 /// "Bounding volume can be represented using just four corner points" is read like this. Of the
 /// box's three axes, the one that leans most towards z is its depth; the other two span the

@@ -19,7 +19,7 @@ inline constexpr int sameSurface = 8;
 /// One frame for a stretch of cells: their probabilities, their depth levels (0: not occupied) and
 /// 256 - level of what was measured in them, 0 for nothing, which is set back to 0. By `update`:
 ///
-/// - thesis: Eq. 8 and 9 of method.md section 6.
+/// - thesis: Eq. 8 and 9 of docs/method.md section 6.
 /// - hysteresis: Eq. 8; a cell enters above `probtresh` and leaves at `leaveThreshold`. What is
 ///   measured more than `sameSurface` levels before or behind a cell's surface is a miss of it, not
 ///   a hit. Before it, it takes the cell when it has been seen as often as a thing that enters (n

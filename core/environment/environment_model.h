@@ -15,7 +15,7 @@ namespace boomwatch {
 /// What is known of a cell. Three different facts: nothing, nothing there, something there.
 enum class CellState { NeverObserved, ObservedFree, Occupied };
 
-/// The 2.5-D probabilistic model of the static surroundings (method.md section 6, Eq. 6, 8-11,
+/// The 2.5-D probabilistic model of the static surroundings (docs/method.md section 6, Eq. 6, 8-11,
 /// or another update of the probabilities: see updateCells).
 ///
 /// Row-major arrays of `geometry().columns() x rows()`: a float probability and an 8-bit depth

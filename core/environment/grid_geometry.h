@@ -12,7 +12,7 @@
 
 namespace boomwatch {
 
-/// How metres and cells belong together (method.md section 6, Eq. 6, 10-11 with the errata).
+/// How metres and cells belong together (docs/method.md section 6, Eq. 6, 10-11 with the errata).
 ///
 /// Column i grows with x, row j with y; cell (i, j) covers [left + iR, left + (i+1)R) of the
 /// model's plane, and so on. What lies on an edge, to a billionth of a cell, belongs to the cell

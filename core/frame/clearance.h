@@ -59,7 +59,8 @@ struct Evidence {
   double confidence = 0.0;
 };
 
-/// A search ray of the thesis's method (section 7, Eq. 14-19), for drawing. Camera frame, metres.
+/// A search ray of the thesis, for drawing. Camera frame, metres. Source: docs/method.md section 7,
+/// Eq. 14-19.
 struct SearchRay {
   Eigen::Vector3d from;
   Eigen::Vector3d to;

@@ -8,7 +8,7 @@
 
 namespace boomwatch {
 
-/// The carried load at the tool, from one cloud seen from one side (method.md section 4).
+/// The carried load at the tool, from one cloud seen from one side (docs/method.md section 4).
 ///
 /// `depthNoise`: standard deviation of a point's inverse depth, 1/m; of a stereo pair a quarter of
 /// a pixel over f B (Eq. 5). Looks at `parameters`' shape, sizes (where they are locked), toolSize

@@ -28,7 +28,7 @@ enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
 /// Where in the tool's box its 3-D point is looked for; see toolPointIn().
 enum class ToolPointRule { Right, Near };
 
-/// Matching and checking of a rectified pair (method.md section 2). Pixels.
+/// Matching and checking of a rectified pair (docs/method.md section 2). Pixels.
 struct StereoParameters {
   StereoMatcherKind matcher = StereoMatcherKind::Sgbm;
   int minDisparity = 0;
@@ -49,7 +49,7 @@ struct StereoParameters {
   double maxSlope = 0.6;
 };
 
-/// Filtering and segmentation (method.md section 5). Metres.
+/// Filtering and segmentation (docs/method.md section 5). Metres.
 struct FilterParameters {
   std::optional<double> zReprojection;  ///< move every kept point to this z; absent: off
   bool lowPass = false;
@@ -65,7 +65,7 @@ struct FilterParameters {
   int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are noise
 };
 
-/// The environment model (method.md section 6, Eq. 6-11; updateCells says what each value does).
+/// The environment model (docs/method.md section 6, Eq. 6-11; see updateCells).
 struct ModelParameters {
   double resolution = 0.04;  ///< R, metres a cell
   double probtresh = 0.5;    ///< P_limit
@@ -82,7 +82,7 @@ struct ModelParameters {
   CellDepth cellDepth = CellDepth::Surface;
 };
 
-/// The search for the nearest thing (method.md section 7).
+/// The search for the nearest thing (docs/method.md section 7).
 struct ClearanceParameters {
   ClearanceMethod method = ClearanceMethod::Exact;
   int interval = 8;     ///< I: cells between search rays
@@ -141,7 +141,7 @@ struct LoadParameters {
   }
 };
 
-/// Following the tool in the image and in space (method.md section 3).
+/// Following the tool in the image and in space (docs/method.md section 3).
 struct TrackingParameters {
   TrackerKind tracker = TrackerKind::Tld;
   bool learn = true;  ///< where the tracker can: go on learning what the tool looks like

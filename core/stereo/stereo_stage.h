@@ -39,7 +39,7 @@ cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
                        const StereoParameters& parameters);
 
 /// Rectify, match, check left against right, drop speckles, smooth where asked to, reproject
-/// (method.md section 2, Eq. 5).
+/// (docs/method.md section 2, Eq. 5).
 ///
 /// Keeps the rectification maps between frames; they are made anew when the rig changes. The first
 /// frames of a rig show how far its rows differ; with `refine` the right camera is corrected from

@@ -10,8 +10,8 @@
 namespace boomwatch {
 
 /// The tool's 3-D point: the cloud's point at `pixel` or, where that was not measured, the next
-/// measured one on its right in the same row (method.md section 3). Absent when the cloud is not
-/// organised, the pixel lies outside it, or nothing on the right was measured.
+/// measured one on its right in the same row (docs/method.md section 3). Absent when the cloud is
+/// not organised, the pixel lies outside it, or nothing on the right was measured.
 std::optional<Eigen::Vector3f> toolPointAt(const Cloud& cloud, cv::Point pixel);
 
 /// The same for a tool that fills `box` (pixels): Right looks from the box's centre to its right

@@ -34,7 +34,7 @@ using ToolOrder = std::variant<TrackBox, TrackModel, TrackAgain, PickTool, Forge
 /// Makes the tracker of a kind; null for Manual.
 using TrackerMaker = std::function<std::unique_ptr<Tracker>(TrackerKind)>;
 
-/// Owns the tracker of the chosen kind, and says where the tool is (method.md section 3).
+/// Owns the tracker of the chosen kind, and says where the tool is (docs/method.md section 3).
 ///
 /// A frame is one look() and then one locate(); look() may run in another thread meanwhile.
 class ToolTracking {

@@ -42,7 +42,7 @@ struct Track {
   static Track lost() { return {TrackState::Lost, std::nullopt, 0.0, LearningState::None}; }
 };
 
-/// Follows one target, the tool, through the images of one camera (method.md section 3).
+/// Follows one target, the tool, through the images of one camera (docs/method.md section 3).
 ///
 /// Images are CV_8UC1 or CV_8UC3 (BGR). Used by one thread.
 class Tracker {

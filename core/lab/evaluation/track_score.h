@@ -15,9 +15,9 @@ struct TrackedFrame {
   double seconds = 0.0;
 };
 
-/// How well a tracker did. Table 5 of the thesis (method.md section 3), then what the field reports
-/// ("Object Tracking Benchmark", Wu et al., 2015), then what this job needs. Absent is what no
-/// frame told.
+/// How well a tracker did. Table 5 of the thesis (docs/method.md section 3), then what the field
+/// reports ("Object Tracking Benchmark", Wu et al., 2015), then what this job needs. Absent is what
+/// no frame told.
 struct TrackScore {
   std::size_t frames = 0;                  ///< without the first, whose box was given
   std::size_t lost = 0;                    ///< frames without a box
