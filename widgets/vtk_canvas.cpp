@@ -1,5 +1,6 @@
 #include "vtk_canvas.h"
 
+#include <vtkAutoInit.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
@@ -14,6 +15,10 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+
+// VTK picks its classes for OpenGL at run time; this registers them. CMake's way would compile a
+// path of this clone into every file.
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace boomwatch {
 namespace {
