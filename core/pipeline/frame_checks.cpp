@@ -74,4 +74,9 @@ FrameChecks::Verdict FrameChecks::examine(const FramePtr& frame, const cv::Mat& 
 
 void FrameChecks::reset() { *this = FrameChecks(); }
 
+Reason chainFault(const FrameChecks::Verdict& verdict, const ToolTrack& tool) {
+  if (verdict.reason != Reason::None) return verdict.reason;
+  return tool.lost() ? Reason::ToolLost : Reason::None;
+}
+
 }  // namespace boomwatch

@@ -4,22 +4,19 @@
 
 namespace boomwatch {
 
-bool isToolNamed(const Result& result) { return result.tool.running() || result.tool.pixel; }
+bool isToolNamed(const ToolTrack& tool) { return tool.running() || tool.pixel; }
 
-LoadSource loadSource(const Result& result) {
-  const LoadSource wanted = result.parameters.load.source;
+LoadSource loadSource(LoadSource wanted, const Frame& frame, const ToolTrack& tool) {
   if (wanted != LoadSource::Auto) return wanted;
-  // Also where a source that has a crane knows the load: as long as nobody says where the tool is,
-  // the crane stays in the cloud, and the load touches what holds it.
-  const bool hasTool = result.tool.running() || result.frame->tool;
-  return hasTool ? LoadSource::Detected : LoadSource::Scene;
+  // A scene's own load would do only without a crane. Until the tool is known the crane stays in
+  // the cloud, and the load touches the tool that holds it.
+  return tool.running() || frame.tool ? LoadSource::Detected : LoadSource::Scene;
 }
 
-Reason loadReason(const Result& result) {
-  const std::optional<OrientedBox>& load = result.load;
-  const Bounds& bounds = result.parameters.bounds;
-  if (!load && loadSource(result) == LoadSource::Detected) {
-    return isToolNamed(result) ? Reason::LoadNotSeen : Reason::NoTool;
+Reason loadReason(const std::optional<OrientedBox>& load, LoadSource source, const ToolTrack& tool,
+                  const Bounds& bounds) {
+  if (!load && source == LoadSource::Detected) {
+    return isToolNamed(tool) ? Reason::LoadNotSeen : Reason::NoTool;
   }
   if (!load || !isUsable(*load)) return Reason::NoLoad;
   return bounds.contains(load->centre.cast<float>()) ? Reason::None : Reason::LoadOutside;

@@ -1,21 +1,22 @@
 #pragma once
 
 #include "frame/clearance.h"
+#include "frame/frame.h"
 #include "parameters/parameters.h"
-#include "pipeline/result.h"
+#include "tracking/tool_track.h"
 
 namespace boomwatch {
 
-/// Whether anybody has said where the tool is, or what it looks like. Of a result whose tool is
-/// set.
-bool isToolNamed(const Result& result);
+/// Whether the operator or the source has given the tool's place or appearance. Pure.
+bool isToolNamed(const ToolTrack& tool);
 
-/// Who says where the load of this frame is; `Auto` has become one of the others. Of a result whose
-/// frame, parameters and tool are set.
-LoadSource loadSource(const Result& result);
+/// Who gives the load of this frame. `wanted` is the setting; its `Auto` becomes one of the others.
+/// Pure.
+LoadSource loadSource(LoadSource wanted, const Frame& frame, const ToolTrack& tool);
 
-/// Why there is no distance of the load; `None` when it can be computed. Of a result whose load is
-/// set as well.
-Reason loadReason(const Result& result);
+/// Why there is no distance of the load; `None` when it can be computed. `source` is what
+/// loadSource() gave, `load` in the camera frame, metres. Pure.
+Reason loadReason(const std::optional<OrientedBox>& load, LoadSource source, const ToolTrack& tool,
+                  const Bounds& bounds);
 
 }  // namespace boomwatch

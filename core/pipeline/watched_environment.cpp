@@ -8,13 +8,14 @@
 namespace boomwatch {
 namespace {
 
-/// Unknown is not clear, even where somebody asks for no share at all.
+/// Unknown is not clear, even where min_observed is 0.
 constexpr double noShare = 1e-9;
 
-/// Of what the probability tends to: with the thesis's values reached after 7 frames in a row.
+/// Of the highest probability that the update can reach; with the thesis's values 7 frames in a row
+/// give it.
 constexpr double certainShare = 0.9;
 
-EnvironmentModel without(const EnvironmentModel& model, std::span<const std::size_t> cells) {
+EnvironmentModel withCellsFreed(const EnvironmentModel& model, std::span<const std::size_t> cells) {
   EnvironmentModel rest = model;
   const int columns = model.geometry().columns();
   for (const std::size_t k : cells) {
@@ -27,8 +28,8 @@ EnvironmentModel without(const EnvironmentModel& model, std::span<const std::siz
 
 }  // namespace
 
-bool WatchedEnvironment::learn(const Cloud& cloud, const StaticScene& scene,
-                               const Parameters& parameters) {
+bool WatchedEnvironment::update(const Cloud& cloud, const StaticScene& scene,
+                                const Parameters& parameters) {
   const GridGeometry geometry(parameters.bounds, parameters.model.resolution,
                               parameters.model.projection);
   const bool anew = !m_exists || !(m_model.geometry() == geometry);
@@ -38,11 +39,11 @@ bool WatchedEnvironment::learn(const Cloud& cloud, const StaticScene& scene,
                    ? m_surfaces.of(scene.statics, geometry)
                    : scene.statics;
   m_evidence.insert(m_evidence.end(), scene.beyond.begin(), scene.beyond.end());
-  // Noise is not believed, but neither does it show that nothing is there.
-  m_hidden = scene.removed;
-  m_hidden.insert(m_hidden.end(), scene.noise.begin(), scene.noise.end());
+  // Noise is no object, and no evidence of free space either.
+  m_masked = scene.removed;
+  m_masked.insert(m_masked.end(), scene.noise.begin(), scene.noise.end());
   const DepthView view(cloud);
-  m_model.update(m_evidence, parameters.model, m_hidden, &view);
+  m_model.update(m_evidence, parameters.model, m_masked, &view);
 
   m_components.rebuild(m_model, parameters.filter.clusterTolerance);
   const ClearanceParameters& search = parameters.clearance;
@@ -51,7 +52,7 @@ bool WatchedEnvironment::learn(const Cloud& cloud, const StaticScene& scene,
                                                  certainShare * maxProbability(parameters.model)});
   std::vector<std::size_t> exempt = m_suppressed;
   if (solid) {
-    const auto own = hiddenAndUnseen();
+    const auto own = maskedAndUnobserved();
     exempt.insert(exempt.end(), own.begin(), own.end());
   }
   m_exact.rebuild(m_model, exempt, solid);
@@ -59,19 +60,20 @@ bool WatchedEnvironment::learn(const Cloud& cloud, const StaticScene& scene,
   return anew;
 }
 
-/// Cells that show nothing but boom, tool and load: that these hide what is behind them is no
-/// reason to take it for an obstacle, or the load would always be in one.
-std::vector<std::size_t> WatchedEnvironment::hiddenAndUnseen() const {
+/// Cells in which only boom, tool and load were measured. Taken for solid, they would put the load
+/// into an obstacle at every moment.
+std::vector<std::size_t> WatchedEnvironment::maskedAndUnobserved() const {
   const GridGeometry& geometry = m_model.geometry();
   std::vector<std::size_t> cells;
-  for (const Eigen::Vector3f& point : m_hidden) {
+  for (const Eigen::Vector3f& point : m_masked) {
     const auto cell = geometry.indexAt(point);
     if (cell && m_model.state(*cell) == CellState::NeverObserved) cells.push_back(*cell);
   }
   return cells;
 }
 
-Clearance WatchedEnvironment::around(const OrientedBox& box, const Parameters& parameters) const {
+Clearance WatchedEnvironment::clearanceOf(const OrientedBox& box,
+                                          const Parameters& parameters) const {
   const auto needed = framesToEnter(parameters.model);
   if (!needed || m_model.frames() < static_cast<std::size_t>(*needed)) {
     return Clearance::unknown(Reason::NoModel);
@@ -90,9 +92,10 @@ Clearance WatchedEnvironment::search(const OrientedBox& box, const Parameters& p
   } else if (m_suppressed.empty()) {
     clearance = rayClearance(m_model, box, method.interval, method.radius);
   } else {
-    clearance = rayClearance(without(m_model, m_suppressed), box, method.interval, method.radius);
+    clearance =
+        rayClearance(withCellsFreed(m_model, m_suppressed), box, method.interval, method.radius);
   }
-  // Rays may meet something farther away than they are long, in front of what they did not reach.
+  // Rays may meet a surface beyond their length, and nearer ones lie where they did not reach.
   if (searchIsShort(parameters) &&
       !(clearance.nearest && clearance.nearest->distance <= searchReach(parameters))) {
     clearance.state = ClearanceState::Unknown;
@@ -111,7 +114,7 @@ void WatchedEnvironment::addEvidence(Clearance& clearance,
   const int column = geometry.columnOf(place.x()), row = geometry.rowOf(place.y());
   if (!geometry.contains(column, row)) return;
   const int level = m_model.levels()[geometry.index(column, row)];
-  // Of a cell that was taken for solid only its surface was seen.
+  // Of a cell that unknown_space makes solid only the surface was seen.
   nearest.unseen =
       level == 0 || nearest.onEnvironment.z() > geometry.zOf(level) + geometry.levelStep() / 2;
   if (nearest.unseen) return;
@@ -122,7 +125,7 @@ void WatchedEnvironment::addEvidence(Clearance& clearance,
 
 void WatchedEnvironment::addObservedShare(Clearance& clearance, const OrientedBox& box,
                                           const Parameters& parameters) const {
-  // With nothing in range, "clear" promises something about the caution zone.
+  // With nothing in range, "clear" is a statement about the caution zone.
   const double reach = clearance.nearest
                            ? clearance.nearest->distance
                            : std::min(searchReach(parameters), parameters.warning.cautionDistance);

@@ -14,27 +14,28 @@
 
 namespace boomwatch {
 
-/// The model of the static surroundings together with all that is asked of it. learn() writes;
-/// everything else is const. Used by one thread.
+/// Owns the model of the static environment, and all that is derived from it to be searched.
+/// Everything but update() and forget() is const. Camera frame, metres. Used by one thread.
 class WatchedEnvironment {
  public:
-  /// One frame that is evidence, `scene` being what its `cloud` was split into. True when the model
-  /// was begun anew: the first time, after forget(), and when its size or its projection has
-  /// changed.
-  bool learn(const Cloud& cloud, const StaticScene& scene, const Parameters& parameters);
-  /// What was learnt holds no more: the next frame begins a new model.
+  /// Updates the model with a valid frame; `scene` is what its `cloud` was separated into. True
+  /// when it began a new model: the first time, after forget(), and when the model's size or
+  /// projection has changed.
+  bool update(const Cloud& cloud, const StaticScene& scene, const Parameters& parameters);
+  /// Makes the next update() begin a new model. Until then the old one is searched.
   void forget() { m_exists = false; }
 
   const EnvironmentModel& model() const { return m_model; }
-  /// Indices of the cells that are occupied but do not count (smallest_thing, doubtful_thing),
+  /// Indices of the cells that are occupied and not searched (smallest_thing, doubtful_thing),
   /// ascending.
   std::span<const std::size_t> suppressed() const { return m_suppressed; }
 
-  /// The distance from a box to what is around it, with what stands behind it and how much of the
-  /// neighbourhood was seen; or why that is not known.
-  Clearance around(const OrientedBox& box, const Parameters& parameters) const;
+  /// The distance from `box` to the nearest cell, with the evidence for that cell and the share of
+  /// the neighbourhood that was observed; or the reason why it is not known. A box that can be
+  /// searched (see isUsable).
+  Clearance clearanceOf(const OrientedBox& box, const Parameters& parameters) const;
 
-  /// For searches of other kinds among the same cells as those of around().
+  /// For other searches among the cells that clearanceOf() searches.
   const ExactClearance& exact() const { return m_exact; }
 
  private:
@@ -42,7 +43,7 @@ class WatchedEnvironment {
   void addEvidence(Clearance& clearance, const ModelParameters& parameters) const;
   void addObservedShare(Clearance& clearance, const OrientedBox& box,
                         const Parameters& parameters) const;
-  std::vector<std::size_t> hiddenAndUnseen() const;
+  std::vector<std::size_t> maskedAndUnobserved() const;
 
   CellSurfaces m_surfaces;
   EnvironmentModel m_model;
@@ -51,8 +52,8 @@ class WatchedEnvironment {
   ExactClearance m_exact;
   ObservedShare m_observed;
   std::vector<std::size_t> m_suppressed;
-  Points m_evidence;  ///< scratch: what the model learns from this frame
-  Points m_hidden;    ///< scratch: what shows neither that something is there nor that nothing is
+  Points m_evidence;  ///< scratch: this frame's points that update the model
+  Points m_masked;    ///< scratch: this frame's points that occlude what is behind them
 };
 
 }  // namespace boomwatch

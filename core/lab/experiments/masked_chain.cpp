@@ -1,7 +1,5 @@
 #include "lab/experiments/masked_chain.h"
 
-#include <algorithm>
-
 #include "cloud/depth_noise.h"
 #include "simulation/yard/yard_truth.h"
 
@@ -33,30 +31,14 @@ StaticScene withoutCrane(const Frame& frame, const Parameters& parameters) {
 }  // namespace
 
 MaskedChain::Outcome MaskedChain::process(const Frame& frame, const Parameters& parameters) {
-  m_environment.learn(*frame.cloud, withoutCrane(frame, parameters), parameters);
+  m_environment.update(*frame.cloud, withoutCrane(frame, parameters), parameters);
   Outcome outcome;
-  outcome.clearance = m_environment.around(*frame.load, parameters);
-  m_warning = nextWarning(
-      m_warning,
-      {frame.stamp, outcome.clearance, approach(frame, outcome.clearance, parameters.warning)},
-      parameters.warning);
-  outcome.level = m_warning.level;
+  outcome.clearance = m_environment.clearanceOf(*frame.load, parameters);
+  outcome.level = m_warning
+                      .update({frame.stamp, frame.load, outcome.clearance}, m_environment.exact(),
+                              parameters.warning)
+                      .level;
   return outcome;
-}
-
-std::optional<Approach> MaskedChain::approach(const Frame& frame, const Clearance& clearance,
-                                              const WarningParameters& limits) {
-  const auto velocity = m_motion.update(frame.stamp, frame.load->centre);
-  if (!velocity || clearance.state == ClearanceState::Unknown) return std::nullopt;
-  Approach approach;
-  approach.velocity = *velocity;
-  if (const auto& nearest = clearance.nearest; nearest && nearest->distance > 0.0) {
-    approach.closingSpeed =
-        velocity->dot(nearest->onEnvironment - nearest->onLoad) / nearest->distance;
-  }
-  approach.timeToContact = timeToContact(m_environment.exact(), *frame.load, *velocity,
-                                         std::max(limits.cautionTime, limits.warningTime));
-  return approach;
 }
 
 }  // namespace boomwatch

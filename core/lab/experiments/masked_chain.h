@@ -1,14 +1,13 @@
 #pragma once
 
-#include "collision/approach.h"
 #include "frame/frame.h"
-#include "pipeline/warning_memory.h"
+#include "pipeline/load_warning.h"
 #include "pipeline/watched_environment.h"
 
 namespace boomwatch {
 
-/// The chain behind a perfect mask: what is crane, tool and load is taken out of the cloud by what
-/// demo:yard knows of every pixel. What errors it has are neither the mask's nor the detector's.
+/// The pipeline's owners behind a perfect mask: demo:yard names the pixels of crane, tool and load.
+/// So its errors come neither from the masks nor from the load's detection. Used by one thread.
 class MaskedChain {
  public:
   struct Outcome {
@@ -16,16 +15,12 @@ class MaskedChain {
     WarningLevel level = WarningLevel::NoDistance;
   };
 
-  /// A frame of demo:yard with a cloud, organised as its picture, and its load.
+  /// A frame of demo:yard with its load and a cloud that is organised as its picture.
   Outcome process(const Frame& frame, const Parameters& parameters);
 
  private:
-  std::optional<Approach> approach(const Frame& frame, const Clearance& clearance,
-                                   const WarningParameters& limits);
-
   WatchedEnvironment m_environment;
-  LoadMotion m_motion;
-  WarningMemory m_warning;
+  LoadWarning m_warning;
 };
 
 }  // namespace boomwatch
