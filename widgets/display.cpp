@@ -179,7 +179,7 @@ DisplayPtr makeDisplay(const ResultPtr& result, const DisplayOptions& options) {
   const bool byDepth = options.cloud == CloudColouring::Image && !colourable;
   display->cloudColouring = byDepth ? CloudColouring::Depth : options.cloud;
   display->cloud = drawnCloud(*result, display->cloudColouring);
-  if (matches) display->projection = fitPinhole(*result->cloud);
+  if (matches) display->projection = result->cloud->camera;
   return display;
 }
 

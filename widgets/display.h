@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "frame/pinhole_fit.h"
 #include "pipeline/result.h"
 
 namespace boomwatch {
@@ -47,15 +46,15 @@ struct Display {
   QImage patches;      ///< what the tracker has learnt, see patchStrip(); null if there is nothing
   DrawnCloud cloud;
   CloudColouring cloudColouring = CloudColouring::Depth;  ///< Depth where Image was impossible
-  /// Fitted to the organised cloud itself; absent where the cloud is no pinhole's.
-  std::optional<PinholeProjection> projection;
+  /// Of `camera`; absent where the cloud is of another size or has no camera.
+  std::optional<PinholeCamera> projection;
 };
 
 using DisplayPtr = std::shared_ptr<const Display>;
 
 /// Where a point of the camera frame (z > 0, metres) falls in the left image.
-inline QPointF pixelOf(const PinholeProjection& projection, const Eigen::Vector3d& p) {
-  const Eigen::Vector2d pixel = projection(p);
+inline QPointF pixelOf(const PinholeCamera& projection, const Eigen::Vector3d& p) {
+  const Eigen::Vector2d pixel = projection.project(p);
   return {pixel.x(), pixel.y()};
 }
 

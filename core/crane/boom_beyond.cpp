@@ -26,11 +26,8 @@ std::optional<Crossing> crossing(const Beam& a, const Beam& b) {
 
 }  // namespace
 
-BoomBeyond::BoomBeyond(const Points& seen, const Cloud& cloud)
-    : m_projection(fitPinhole(cloud)),
-      m_width(cloud.width),
-      m_height(cloud.height),
-      m_jib(beamIn(seen, jibRadius)) {
+BoomBeyond::BoomBeyond(const Points& seen, const std::optional<PinholeCamera>& camera)
+    : m_camera(camera), m_jib(beamIn(seen, jibRadius)) {
   constexpr double shortest = 0.6;  // metres: of less the axis is uncertain
   if (m_jib && m_jib->length < shortest) m_jib.reset();
 }
@@ -40,7 +37,7 @@ bool BoomBeyond::isPart(const Points& piece) const {
   constexpr double miss = 0.3, missMore = 0.12;
   constexpr double farthest = 4.0;  // metres from an end to the elbow
   constexpr double mostly = 0.8;
-  if (!m_projection || !m_jib) return false;
+  if (!m_camera || !m_jib) return false;
   const auto beam = beamIn(piece, boomRadius);
   if (!beam || beam->share < mostly) return false;
   const auto elbow = crossing(*m_jib, *beam);
@@ -59,8 +56,7 @@ bool BoomBeyond::leavesPicture(const Beam& beam, const Vector3d& towards) const 
   const Vector3d next =
       beam.centre + (beam.length / 2 + room) * (towards - beam.centre).normalized();
   if (!(next.z() > 0.0)) return true;
-  const Eigen::Vector2d pixel = (*m_projection)(next);
-  return pixel.x() < 0.0 || pixel.y() < 0.0 || pixel.x() >= m_width || pixel.y() >= m_height;
+  return !m_camera->contains(m_camera->project(next));
 }
 
 void Spread::add(const Eigen::Vector3f& p) {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "crane/beam.h"
-#include "frame/pinhole_fit.h"
+#include "frame/cloud.h"
 
 namespace boomwatch {
 
@@ -13,8 +13,8 @@ namespace boomwatch {
 class BoomBeyond {
  public:
   /// `seen`: points of the boom that hang together with the tool, without tool and load. Finds
-  /// nothing where `cloud` is not organised or no pinhole's, or where no part of it is straight.
-  BoomBeyond(const Points& seen, const Cloud& cloud);
+  /// nothing without the camera that saw them, or where no part of the boom is straight.
+  BoomBeyond(const Points& seen, const std::optional<PinholeCamera>& camera);
 
   /// Whether `piece`, a cluster, is straight, and its axis meets that of the boom out of the
   /// picture, at whose edge both end. Trees and stumps are not straight together with the ground
@@ -24,8 +24,7 @@ class BoomBeyond {
  private:
   bool leavesPicture(const Beam& beam, const Eigen::Vector3d& towards) const;
 
-  std::optional<PinholeProjection> m_projection;
-  int m_width = 0, m_height = 0;
+  std::optional<PinholeCamera> m_camera;
   std::optional<Beam> m_jib;
 };
 

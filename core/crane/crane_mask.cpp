@@ -96,7 +96,7 @@ void addBoomBeyond(CraneMask& mask, const std::vector<ClusterShape>& shapes, con
     const bool isTools = mask.parts[label] == CranePart::Tool;
     if (isTools && !tool.isWithin(p) && !tool.isLoad(p)) seen.push_back(p);
   }
-  const BoomBeyond beyond(seen, cloud);
+  const BoomBeyond beyond(seen, cloud.camera);
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     if (pieces[k] && beyond.isPart(*pieces[k])) mask.parts[k] = CranePart::Boom;
   }

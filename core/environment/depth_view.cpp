@@ -1,15 +1,12 @@
 #include "environment/depth_view.h"
 
-#include <cmath>
-
 namespace boomwatch {
 
 const Eigen::Vector3f* DepthView::seenTowards(const Eigen::Vector3d& point) const {
-  if (!m_projection || !(point.z() > 0.0)) return nullptr;
-  const Eigen::Vector2d pixel = (*m_projection)(point);
-  const double column = std::round(pixel.x()), row = std::round(pixel.y());
-  if (!(column >= 0 && column < m_cloud.width && row >= 0 && row < m_cloud.height)) return nullptr;
-  return &m_cloud.at(static_cast<int>(column), static_cast<int>(row));
+  if (!m_cloud.camera || !(point.z() > 0.0)) return nullptr;
+  const Eigen::Vector2d pixel = m_cloud.camera->project(point).array().round();
+  if (!m_cloud.camera->contains(pixel)) return nullptr;
+  return &m_cloud.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
 }
 
 bool DepthView::looksThrough(const Eigen::Vector3d& surface, double size, double room) const {

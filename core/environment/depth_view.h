@@ -1,9 +1,6 @@
 #pragma once
 
-#include <optional>
-
 #include "frame/cloud.h"
-#include "frame/pinhole_fit.h"
 
 namespace boomwatch {
 
@@ -12,8 +9,8 @@ namespace boomwatch {
 /// can. Keeps a reference to the cloud. Const; any thread.
 class DepthView {
  public:
-  /// Sees nothing where the cloud is not organised or no pinhole's.
-  explicit DepthView(const Cloud& cloud) : m_cloud(cloud), m_projection(fitPinhole(cloud)) {}
+  /// Sees nothing where the cloud has no camera.
+  explicit DepthView(const Cloud& cloud) : m_cloud(cloud) {}
 
   /// Whether the rays to a piece of surface `size` metres wide around `surface` (camera frame) all
   /// go on to something more than `room` metres farther away: it is not there. False where a ray
@@ -30,7 +27,6 @@ class DepthView {
   const Eigen::Vector3f* seenTowards(const Eigen::Vector3d& point) const;
 
   const Cloud& m_cloud;
-  std::optional<PinholeProjection> m_projection;
 };
 
 }  // namespace boomwatch

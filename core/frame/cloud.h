@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include "frame/depth_noise.h"
+#include "frame/pinhole_camera.h"
 
 namespace boomwatch {
 
@@ -19,6 +23,10 @@ struct Cloud {
   int width = 0;
   int height = 0;
   Points points;
+  /// What measured an organised cloud, of its size: point (column, row) lies on the camera's
+  /// ray(column, row). The source sets it. Absent where the points lie on no camera's rays.
+  std::optional<PinholeCamera> camera;
+  DepthNoise noise;  ///< of the points; the source sets it
 
   bool organised() const { return height > 1; }
   std::size_t size() const { return points.size(); }

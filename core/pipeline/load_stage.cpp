@@ -14,7 +14,7 @@ std::optional<ViewedBox> maskedVolume(const CarriedLoad& load, const SensedFrame
   if (!load.box || !isUsable(*load.box)) return std::nullopt;
   const double margin =
       load.source == LoadSource::Detected ? parameters.load.margin : parameters.model.resolution;
-  return dynamicVolume(*load.box, margin, inverseDepthNoise(sensed), inverseDepthSmear(sensed));
+  return dynamicVolume(*load.box, margin, sensed.whole->noise.deviation, inverseDepthSmear(sensed));
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ CarriedLoad LoadStage::detect(const SensedFrame& sensed, double stamp, const Too
   const double maxAge = parameters.validity.maxLoadAge;
   const LoadDetection detection =
       tool.point
-          ? detectLoad(*sensed.whole, *tool.point, inverseDepthNoise(sensed), parameters.bounds,
+          ? detectLoad(*sensed.whole, *tool.point, sensed.whole->noise.deviation, parameters.bounds,
                        parameters.load, m_follower.expected(stamp, maxAge, tool.point))
           : LoadDetection::refused(LoadFault::NoToolPoint);
   const LoadFollower::Followed followed =

@@ -6,28 +6,19 @@
 namespace boomwatch {
 namespace {
 
-/// Pixels of disparity: what matching leaves uncertain.
-constexpr double matchingNoise = 0.25;
-
 /// Pixels of disparity: at a near object's rim the matcher's block holds background as well.
 constexpr double matcherSmear = 2.0;
 
-/// 1/m, of a depth camera: dz = 0.0014 z^2 (a Kinect; Khoshelham and Elberink 2012).
-constexpr double depthCameraNoise = 0.0014;
-
 }  // namespace
 
-double inverseDepthNoise(const SensedFrame& sensed) {
-  return sensed.depthPerPixel ? matchingNoise * *sensed.depthPerPixel : depthCameraNoise;
-}
-
 double inverseDepthSmear(const SensedFrame& sensed) {
-  return matcherSmear * sensed.depthPerPixel.value_or(0.0);
+  return matcherSmear * sensed.whole->noise.perPixel;
 }
 
 std::optional<double> depthUncertainty(const SensedFrame& sensed, double z) {
-  if (!sensed.depthPerPixel) return std::nullopt;
-  return matchingNoise * z * z * *sensed.depthPerPixel;
+  const DepthNoise& noise = sensed.whole->noise;
+  if (noise.perPixel == 0.0) return std::nullopt;
+  return noise.at(z);
 }
 
 MatchedFrame SensingStage::match(const Frame& frame, const StereoParameters& parameters) {
@@ -63,7 +54,6 @@ SensedFrame SensingStage::reproject(const Frame& frame, const MatchedFrame& matc
     sensed.whole = stereo.cloud;
     sensed.rowResidue = stereo.rowResidue;
     sensed.rowsCorrected = stereo.rowsCorrected;
-    sensed.depthPerPixel = 1.0 / (stereo.focalLength * stereo.baseline);
   } catch (const Error& fault) {
     sensed.fault = fault.what();
   }

@@ -25,15 +25,9 @@ struct SensedFrame {
   std::shared_ptr<const Cloud> cloud;
   /// For tool and load: with the flying pixels, because their rims are among them. Null on a fault.
   std::shared_ptr<const Cloud> whole;
-  /// 1 / (f B) of the stereo pair: dz = z^2 times it for one pixel of disparity (Eq. 5), 1/m.
-  /// Absent unless stereo.
-  std::optional<double> depthPerPixel;
   std::optional<double> rowResidue, rowsCorrected;  ///< see StereoResult; absent unless stereo
   std::string fault;  ///< English: why there is no cloud; empty if there is one
 };
-
-/// Standard deviation of inverse depth, 1/m: of the matching, or of a depth camera.
-double inverseDepthNoise(const SensedFrame& sensed);
 
 /// How much of an inverse depth a matcher may take from the background at an object's rim, 1/m.
 /// 0 unless stereo.

@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "frame/stereo_rig.h"
 #include "report/partial_folder.h"
+#include "simulation/demo_camera.h"
 #include "simulation/demo_source.h"
-#include "simulation/pinhole_view.h"
 #include "simulation/truth_json.h"
 #include "simulation/yard/yard_truth.h"
 
@@ -55,8 +55,7 @@ std::string calibrationOf(const StereoRig& rig) {
 
 /// Of every demo that gives clouds.
 std::string intrinsicsOf(const PinholeCamera& camera) {
-  const std::array<double, 9> k{camera.focal, 0, camera.cx(), 0, camera.focal,
-                                camera.cy(),  0, 0,           1};
+  const std::array<double, 9> k{camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
   return "%YAML:1.0\n---\n" + matrix("camera_matrix", 3, 3, k.data()) + "depth_factor: 1000.\n";
 }
 
@@ -113,7 +112,7 @@ class Writer {
       writeText(m_folder.path() / "calibration.yaml", calibrationOf(*m_rig));
       writeText(m_folder.path() / "timestamps.txt", m_stamps);
     } else {
-      writeText(m_folder.path() / "intrinsics.yaml", intrinsicsOf({}));
+      writeText(m_folder.path() / "intrinsics.yaml", intrinsicsOf(demoCamera));
     }
     writeText(m_folder.path() / "truth.jsonl", m_truth);
   }

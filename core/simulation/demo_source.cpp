@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "simulation/pinhole_view.h"
 #include "simulation/scene.h"
+#include "simulation/scene_view.h"
 #include "simulation/yard/yard_source.h"
 #include "sources/indexed_source.h"
 
@@ -87,7 +87,7 @@ class DemoSource : public IndexedSource {
 
  private:
   Demo m_demo;
-  PinholeView m_view;
+  SceneView m_view;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace boomwatch {
 
 /// A cloud as a file holds it.
 struct CloudFile {
-  std::shared_ptr<const Cloud> cloud;
+  std::shared_ptr<Cloud> cloud;       ///< without camera: neither format names it
   cv::Mat image;                      ///< CV_8UC3 (BGR), the cloud's size; empty unless organised
                                       ///< and coloured
   std::vector<std::uint32_t> labels;  ///< one a point where the file has a `label` field, or empty

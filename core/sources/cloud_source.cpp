@@ -4,6 +4,7 @@
 #include "sources/cloud_file.h"
 #include "sources/file_sequence.h"
 #include "sources/indexed_source.h"
+#include "sources/pinhole_fit.h"
 
 namespace boomwatch {
 namespace {
@@ -25,6 +26,7 @@ class CloudSource : public IndexedSource {
       frame->sequence = index;
       frame->stamp = m_stamps[index];
       frame->left = std::move(file.image);
+      giveCamera(*file.cloud);
       frame->cloud = std::move(file.cloud);
       return ok(std::move(frame));
     } catch (const Error& error) {
@@ -33,8 +35,19 @@ class CloudSource : public IndexedSource {
   }
 
  private:
+  /// The files do not say their camera. It is fitted to the first organised cloud, and again only
+  /// when the size changes.
+  void giveCamera(Cloud& cloud) {
+    if (!cloud.organised()) return;
+    const bool fits =
+        m_camera && m_camera->width == cloud.width && m_camera->height == cloud.height;
+    if (!fits) m_camera = fitPinhole(cloud);
+    cloud.camera = m_camera;
+  }
+
   std::vector<std::filesystem::path> m_files;
   std::vector<double> m_stamps;
+  std::optional<PinholeCamera> m_camera;
 };
 
 }  // namespace

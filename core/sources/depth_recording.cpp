@@ -45,9 +45,9 @@ fs::path findIntrinsics(const fs::path& folder) {
   return {};
 }
 
-DepthCamera requireIntrinsics(const fs::path& folder) {
+DepthCalibration requireIntrinsics(const fs::path& folder) {
   const fs::path file = findIntrinsics(folder);
-  if (!file.empty()) return readDepthCamera(file);
+  if (!file.empty()) return readDepthCalibration(file);
   throw Error(
       folder.string(), "there are no intrinsics",
       "Put an intrinsics.yaml with camera_matrix, or fx, fy, cx and cy, beside the images.");
@@ -86,9 +86,9 @@ fs::path nearestInTime(const std::vector<ListedImage>& images, double stamp) {
 
 DepthRecording tumRecording(const fs::path& folder) {
   DepthRecording recording;
-  recording.camera = {525.0, 525.0, 319.5, 239.5, 5000.0};
+  recording.calibration = {{0, 0, 525.0, 525.0, 319.5, 239.5}, 5000.0};
   if (const fs::path file = findIntrinsics(folder); !file.empty()) {
-    recording.camera = readDepthCamera(file);
+    recording.calibration = readDepthCalibration(file);
   }
   std::vector<ListedImage> colours;
   if (isFile(folder / "rgb.txt")) colours = readList(folder / "rgb.txt");
@@ -125,7 +125,7 @@ DepthRecording pairedRecording(const fs::path& folder) {
     names.push_back(folder / (name + ".png"));
     recording.frames.push_back(std::move(files));
   }
-  if (!allHaveTheirOwn) recording.camera = requireIntrinsics(folder);
+  if (!allHaveTheirOwn) recording.calibration = requireIntrinsics(folder);
   setStamps(names, recording);
   return recording;
 }
@@ -161,7 +161,7 @@ void matchColours(const std::vector<fs::path>& colours, const fs::path& folder,
 
 DepthRecording folderRecording(const fs::path& folder) {
   DepthRecording recording;
-  recording.camera = requireIntrinsics(folder);
+  recording.calibration = requireIntrinsics(folder);
   const std::vector<fs::path> depths = listFiles(folder / "depth", hasImageExtension);
   for (const fs::path& depth : depths) recording.frames.push_back({depth, {}, {}, 0.0});
   setStamps(depths, recording);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "sources/depth_camera.h"
+#include "sources/depth_calibration.h"
 
 namespace boomwatch {
 
@@ -17,7 +17,7 @@ struct DepthFrameFiles {
 
 /// What a folder of depth images holds.
 struct DepthRecording {
-  DepthCamera camera;  ///< unused for frames with intrinsics of their own
+  DepthCalibration calibration;  ///< unused for frames with intrinsics of their own
   std::vector<DepthFrameFiles> frames;
   double rate = 0.0;  ///< frames a second, roughly
 };

@@ -42,8 +42,8 @@ class DepthSource : public IndexedSource {
     const DepthFrameFiles& files = m_recording.frames[index];
     const cv::Mat depth = readDepth(files.depth);
     requireSize(files.depth, depth.size(), m_size);
-    const DepthCamera camera =
-        files.intrinsics.empty() ? m_recording.camera : readDepthCamera(files.intrinsics);
+    const DepthCalibration calibration =
+        files.intrinsics.empty() ? m_recording.calibration : readDepthCalibration(files.intrinsics);
     auto frame = std::make_shared<Frame>();
     frame->sequence = index;
     frame->stamp = files.stamp;
@@ -51,7 +51,7 @@ class DepthSource : public IndexedSource {
       frame->left = readImage(files.colour);
       requireSize(files.colour, frame->left.size(), depth.size());
     }
-    frame->cloud = std::make_shared<Cloud>(cloudFromDepth(depth, camera));
+    frame->cloud = std::make_shared<Cloud>(cloudFromDepth(depth, calibration));
     m_size = depth.size();
     return frame;
   }

@@ -18,7 +18,7 @@ namespace boomwatch {
 /// - folders `depth/` and, if there is one, `colour/` (or `color/`, `rgb/`, `images/`), matched by
 ///   name, or in order where no name matches; with an intrinsics file.
 /// The intrinsics file is `intrinsics`, `camera` or `calibration` with `.yaml`, `.yml`, `.xml` or
-/// `.json`; see readDepthCamera.
+/// `.json`; see readDepthCalibration.
 ///
 /// Throws Error when `path` holds none of these, or no intrinsics. An image that is unreadable, not
 /// 16-bit depth, or of another size than its partner or the first frame gives a Bad frame.

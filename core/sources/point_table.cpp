@@ -99,7 +99,7 @@ class Columns {
   const PointTable& m_table;
 };
 
-std::shared_ptr<const Cloud> gatherPoints(const PointTable& table, const std::string& where) {
+std::shared_ptr<Cloud> gatherPoints(const PointTable& table, const std::string& where) {
   const Columns columns(table);
   std::array<const PointField*, 3> axes{columns.find("x"), columns.find("y"), columns.find("z")};
   if (std::ranges::count(axes, nullptr) > 0) {

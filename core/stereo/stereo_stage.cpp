@@ -129,9 +129,10 @@ cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
 
 namespace {
 
-// What Eq. 5 needs to know of a rectified pair. `doffs` is cx of the right less cx of the left.
+// A rectified pair, as Eq. 5 uses it. `doffs`: cx of the right less cx of the left, pixels.
 struct Projection {
-  double fx = 0, fy = 0, cx = 0, cy = 0, doffs = 0, baseline = 0;
+  PinholeCamera camera;  // the left one
+  double doffs = 0, baseline = 0;
 };
 
 // Eq. 5 with differing principal points: z = B f / (d + doffs). A disparity that puts the point at
@@ -141,13 +142,17 @@ std::shared_ptr<const Cloud> reproject(const cv::Mat& disparity, const Projectio
   cloud->width = disparity.cols;
   cloud->height = disparity.rows;
   cloud->points.resize(disparity.total());
+  const PinholeCamera& camera = p.camera;
+  cloud->camera = camera;
+  cloud->noise = DepthNoise::ofStereo(camera.fx, p.baseline);
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  const auto doffs = static_cast<float>(p.doffs), cx = static_cast<float>(p.cx);
-  const auto bf = static_cast<float>(p.baseline * p.fx), perFx = static_cast<float>(1 / p.fx);
+  const auto doffs = static_cast<float>(p.doffs), cx = static_cast<float>(camera.cx);
+  const auto bf = static_cast<float>(p.baseline * camera.fx);
+  const auto perFx = static_cast<float>(1 / camera.fx);
   Eigen::Vector3f* point = cloud->points.data();
   for (int row = 0; row < disparity.rows; ++row) {
     const auto* d = disparity.ptr<float>(row);
-    const auto yOfZ = static_cast<float>((row - p.cy) / p.fy);
+    const auto yOfZ = static_cast<float>((row - camera.cy) / camera.fy);
     for (int column = 0; column < disparity.cols; ++column, ++point) {
       const float shifted = d[column] + doffs;
       const float z = shifted > 0 ? bf / shifted : none;
@@ -194,17 +199,17 @@ struct StereoStage::Maps {
     rig.rightDistortion = from.rightDistortion.clone();
     if (rig.rectified) {
       const auto& left = rig.leftMatrix;
-      projection = {
-          left(0, 0),    left(1, 1), left(0, 2), left(1, 2), rig.rightMatrix(0, 2) - left(0, 2),
-          rig.baseline()};
+      projection = {{size.width, size.height, left(0, 0), left(1, 1), left(0, 2), left(1, 2)},
+                    rig.rightMatrix(0, 2) - left(0, 2),
+                    rig.baseline()};
       rightCamera = rig.rightMatrix;
     } else {
       rectify();
     }
-    const auto& p = projection;
-    require(std::isfinite(p.fx) && p.fx > 0 && std::isfinite(p.fy) && p.fy > 0 &&
-                std::isfinite(p.baseline) && p.baseline > 0 && std::isfinite(p.cx) &&
-                std::isfinite(p.cy) && std::isfinite(p.doffs),
+    const auto& [camera, doffs, baseline] = projection;
+    require(std::isfinite(camera.fx) && camera.fx > 0 && std::isfinite(camera.fy) &&
+                camera.fy > 0 && std::isfinite(baseline) && baseline > 0 &&
+                std::isfinite(camera.cx) && std::isfinite(camera.cy) && std::isfinite(doffs),
             "stereo calibration", "it cannot be rectified", "Calibrate anew.");
   }
 
@@ -252,8 +257,9 @@ struct StereoStage::Maps {
                   "Calibrate anew.");
     }
     // P2 = K [I | (-B, 0, 0)].
-    projection = {
-        p1(0, 0), p1(1, 1), p1(0, 2), p1(1, 2), p2(0, 2) - p1(0, 2), -p2(0, 3) / p2(0, 0)};
+    projection = {{size.width, size.height, p1(0, 0), p1(1, 1), p1(0, 2), p1(1, 2)},
+                  p2(0, 2) - p1(0, 2),
+                  -p2(0, 3) / p2(0, 0)};
   }
 };
 
@@ -291,12 +297,11 @@ StereoResult StereoStage::reconstruct(const RectifiedPair& pair, const cv::Mat& 
                                                   parameters.smooth);
   result.cloud = result.surfaces = reproject(result.disparity, m_maps->projection);
   if (parameters.maxSlope > 0.0) {
+    const double focalLength = m_maps->projection.camera.fx;
     result.surfaces =
-        reproject(withoutFlyingPixels(result.disparity, parameters.maxSlope, m_maps->projection.fx),
+        reproject(withoutFlyingPixels(result.disparity, parameters.maxSlope, focalLength),
                   m_maps->projection);
   }
-  result.focalLength = m_maps->projection.fx;
-  result.baseline = m_maps->projection.baseline;
   return result;
 }
 

@@ -19,14 +19,12 @@ struct RectifiedPair {
 
 /// A rectified left image, its disparities and its organised cloud.
 struct StereoResult {
-  cv::Mat left;       ///< CV_8UC1 or CV_8UC3, rectified
-  cv::Mat disparity;  ///< CV_32FC1, pixels; NaN where nothing matched
-  std::shared_ptr<const Cloud> cloud;
+  cv::Mat left;                        ///< CV_8UC1 or CV_8UC3, rectified
+  cv::Mat disparity;                   ///< CV_32FC1, pixels; NaN where nothing matched
+  std::shared_ptr<const Cloud> cloud;  ///< with the camera of the rectified pair, and its noise
   /// The cloud without veils (see withoutFlyingPixels): what is in it is a surface, but the rims of
   /// round things are gone.
   std::shared_ptr<const Cloud> surfaces;
-  double focalLength = 0.0;  ///< pixels, of the rectified pair
-  double baseline = 0.0;     ///< metres
   /// How far the rows of left and right differ by the calibration, pixels, by features of the first
   /// frames; absent until those are seen, and where they show too little. See maxRowResidue.
   std::optional<double> rowResidue;

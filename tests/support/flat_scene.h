@@ -30,6 +30,7 @@ inline void hangLoad(Parameters& parameters, double z, double size = 0.4) {
 inline std::shared_ptr<Cloud> wallCloud(float z) {
   auto cloud = std::make_shared<Cloud>();
   cloud->width = cloud->height = 160;
+  cloud->camera = PinholeCamera::centred(160, 160, 80.0);
   for (int row = 0; row < 160; ++row) {
     for (int column = 0; column < 160; ++column) {
       cloud->points.emplace_back((static_cast<float>(column) - 79.5F) * z / 80.0F,

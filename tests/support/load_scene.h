@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "frame/cloud.h"
-#include "simulation/pinhole_view.h"
+#include "simulation/scene_view.h"
 #include "simulation/solids.h"
 #include "tracking/tool_point.h"
 
@@ -106,9 +106,8 @@ inline Vector3d randomPlace(Random& random) {
 }
 
 inline bool inPicture(const LoadScene& scene, const Vector3d& p) {
-  const PinholeCamera camera;
-  return p.z() > 0.3 && std::abs(p.x() / p.z()) * scene.focal < camera.width / 2.0 - 12.0 &&
-         std::abs(p.y() / p.z()) * scene.focal < camera.height / 2.0 - 12.0;
+  return p.z() > 0.3 && std::abs(p.x() / p.z()) * scene.focal < demoCamera.width / 2.0 - 12.0 &&
+         std::abs(p.y() / p.z()) * scene.focal < demoCamera.height / 2.0 - 12.0;
 }
 
 /// A log 1.5 to 4 m long and 0.1 to 0.25 m in radius in any direction, wholly in the picture, but
@@ -170,8 +169,8 @@ inline PixelBox pixelsOf(const std::array<Vector3d, 8>& corners, const PinholeCa
   PixelBox box{camera.width, camera.height, -1, -1};
   for (const Vector3d& p : corners) {
     if (p.z() < 0.05) return {0, 0, camera.width - 1, camera.height - 1};
-    const double u = p.x() / p.z() * camera.focal + camera.cx();
-    const double v = p.y() / p.z() * camera.focal + camera.cy();
+    const double u = p.x() / p.z() * camera.fx + camera.cx;
+    const double v = p.y() / p.z() * camera.fy + camera.cy;
     box.left = std::min(box.left, static_cast<int>(std::max(u, 0.0)));
     box.top = std::min(box.top, static_cast<int>(std::max(v, 0.0)));
     box.right = std::max(box.right, static_cast<int>(std::min(u + 1.0, camera.width - 1.0)));
@@ -187,7 +186,7 @@ inline std::vector<float> depthsOf(const LoadScene& scene, const PinholeCamera& 
     for (int v = box.top; v <= box.bottom; ++v) {
       for (int u = box.left; u <= box.right; ++u) {
         const auto hit = cast(solid, Vector3d::Zero(), camera.ray(u, v));
-        if (!hit || hit->depth > PinholeView::farthest) continue;
+        if (!hit || hit->depth > SceneView::farthest) continue;
         float& depth = depths[static_cast<std::size_t>(v) * camera.width + u];
         if (depth == 0.0F || hit->depth < depth) depth = static_cast<float>(hit->depth);
       }
@@ -207,8 +206,7 @@ inline std::vector<float> depthsOf(const LoadScene& scene, const PinholeCamera& 
 /// What the stereo camera gives: a quarter of a pixel of noise in the disparity, 5 % of the pixels
 /// without depth, 1 % anywhere.
 inline Cloud cloudOf(const LoadScene& scene, unsigned seed) {
-  PinholeCamera camera;
-  camera.focal = scene.focal;
+  const auto camera = PinholeCamera::centred(demoCamera.width, demoCamera.height, scene.focal);
   Random random(seed + 1'000'000);
   std::minstd_rand quick(seed + 1);
   const auto share = [&] { return static_cast<double>(quick()) / 2147483647.0; };
@@ -217,6 +215,7 @@ inline Cloud cloudOf(const LoadScene& scene, unsigned seed) {
   Cloud cloud;
   cloud.width = camera.width;
   cloud.height = camera.height;
+  cloud.camera = camera;
   const std::vector<float> depths = depthsOf(scene, camera);
   cloud.points.assign(depths.size(), unmeasuredPoint());
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -241,12 +240,11 @@ inline Cloud cloudOf(const LoadScene& scene, unsigned seed) {
 inline std::optional<Eigen::Vector3f> toolPointOf(const LoadScene& scene, const Cloud& cloud,
                                                   unsigned seed) {
   Random random(seed + 2'000'000);
-  const PinholeCamera camera;
   const Vector3d p = scene.grapple / scene.grapple.z() * scene.focal;
   const double jitter = 0.05 / scene.grapple.z() * scene.focal;
   const auto point =
-      toolPointAt(cloud, {static_cast<int>(p.x() + camera.cx() + random(-jitter, jitter)),
-                          static_cast<int>(p.y() + camera.cy() + random(-jitter, jitter))});
+      toolPointAt(cloud, {static_cast<int>(p.x() + demoCamera.cx + random(-jitter, jitter)),
+                          static_cast<int>(p.y() + demoCamera.cy + random(-jitter, jitter))});
   const double sigma = scene.depthNoise() * scene.grapple.z() * scene.grapple.z();
   const double farthest = 0.5 + 3.0 * sigma;
   if (!point || (point->cast<double>() - scene.grapple).norm() > farthest) return std::nullopt;

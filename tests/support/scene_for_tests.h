@@ -25,6 +25,7 @@ inline std::shared_ptr<const Cloud> makeCloud(int width = 768, int height = 576)
   auto cloud = std::make_shared<Cloud>();
   cloud->width = width;
   cloud->height = height;
+  cloud->camera = {width, height, focal, focal, centreX, centreY};
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const float z = depthAt(column, row);

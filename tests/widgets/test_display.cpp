@@ -27,8 +27,7 @@ class TestDisplay : public QObject {
   void pointsAreColouredByHeight();
   void pointsAreColouredAsInThePicture();
   void withoutAMatchingPictureColoursAreByDepth();
-  void thePinholeIsFoundFromTheCloud();
-  void aCloudThatIsNoPinholesHasNoProjection();
+  void theProjectionIsTheCameraOfTheCloud();
   void aCloudOfNothingButNanIsHarmless();
 };
 
@@ -246,30 +245,9 @@ void TestDisplay::withoutAMatchingPictureColoursAreByDepth() {
   QCOMPARE(display->cloud.colours, makeDisplay(shared(result), {})->cloud.colours);
 }
 
-void TestDisplay::thePinholeIsFoundFromTheCloud() {
-  const auto fit = fitPinhole(*testing::makeCloud());
-  QVERIFY(fit);
-  QVERIFY(std::abs(fit->fx - testing::focal) < 0.1);
-  QVERIFY(std::abs(fit->fy - testing::focal) < 0.1);
-  QVERIFY(std::abs(fit->cx - testing::centreX) < 0.1);
-  QVERIFY(std::abs(fit->cy - testing::centreY) < 0.1);
-}
-
-void TestDisplay::aCloudThatIsNoPinholesHasNoProjection() {
-  Cloud scattered;
-  scattered.width = 100;
-  scattered.height = 80;
-  for (int k = 0; k < 8000; ++k) {
-    const auto a = static_cast<float>(k * 7919 % 1000) / 500.0F - 1.0F;
-    const auto b = static_cast<float>(k * 104729 % 1000) / 500.0F - 1.0F;
-    scattered.points.emplace_back(a, b, 3.0F);
-  }
-  QVERIFY(!fitPinhole(scattered));
-  Cloud unorganised = scattered;
-  unorganised.width = 8000;
-  unorganised.height = 1;
-  QVERIFY(!fitPinhole(unorganised));
-  QVERIFY(!fitPinhole(Cloud{}));
+void TestDisplay::theProjectionIsTheCameraOfTheCloud() {
+  const auto result = testing::makeResult();
+  QCOMPARE(makeDisplay(shared(result), {})->projection, result->cloud->camera);
 }
 
 void TestDisplay::aCloudOfNothingButNanIsHarmless() {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "frame/stereo_rig.h"
+#include "simulation/demo_camera.h"
 #include "simulation/yard/depth_cloud.h"
 #include "simulation/yard/yard_sensor.h"
 #include "simulation/yard/yard_truth.h"
@@ -17,10 +18,6 @@ using Eigen::Vector3d;
 
 constexpr double depthNoise = 0.2;  // pixels of disparity, as demo:yard,as=depth has by default
 constexpr double seenShare = 0.25;  // of the tool: the least that a tracker could follow
-
-PinholeCamera cameraOf(const Frame& frame) {
-  return {frame.left.cols, frame.left.rows, PinholeCamera{}.focal};
-}
 
 bool hasItsPlace(YardKind kind) { return kind != YardKind::Nothing && !moves(kind); }
 
@@ -53,7 +50,6 @@ class SeenArea {
 /// The nearest of the static surfaces that the camera sees.
 void lookAround(const Frame& frame, ChainFrame& truth) {
   const YardTruth& yard = *frame.truth->yard;
-  const PinholeCamera camera = cameraOf(frame);
   SeenArea area;
   double nearest = std::numeric_limits<double>::infinity();
   const double loadRadius = 0.5 * yard.load.size.norm();
@@ -62,11 +58,11 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
     const auto* kind = yard.kind.ptr<std::uint8_t>(v);
     for (int u = 0; u < yard.depth.cols; ++u) {
       if (!hasItsPlace(YardKind{kind[u]}) || !std::isfinite(depth[u])) continue;
-      const Vector3d p = double{depth[u]} * camera.ray(u, v);
+      const Vector3d p = double{depth[u]} * demoCamera.ray(u, v);
       const double least = (p - yard.load.centre).norm() - loadRadius;
       if (least >= std::max(nearest, SeenArea::range)) continue;  // changes neither
       const double distance = (yard.load.nearestTo(p) - p).norm();
-      const double pixel = double{depth[u]} / camera.focal;
+      const double pixel = double{depth[u]} / demoCamera.fx;
       area.add(distance, pixel * pixel);
       if (distance >= nearest) continue;
       nearest = distance;
@@ -81,11 +77,11 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
 YardKind kindAt(const Frame& frame, const Vector3d& p) {
   constexpr double close = 0.2;  // metres
   const YardTruth& yard = *frame.truth->yard;
-  const PinholeCamera camera = cameraOf(frame);
   if (p.z() < 0.1) return YardKind::Nothing;
-  const int u0 = static_cast<int>(std::lround(camera.focal * p.x() / p.z() + camera.cx()));
-  const int v0 = static_cast<int>(std::lround(camera.focal * p.y() / p.z() + camera.cy()));
-  const int reach = static_cast<int>(std::ceil(close * camera.focal / p.z()));
+  const Eigen::Vector2d pixel = demoCamera.project(p);
+  const int u0 = static_cast<int>(std::lround(pixel.x()));
+  const int v0 = static_cast<int>(std::lround(pixel.y()));
+  const int reach = static_cast<int>(std::ceil(close * demoCamera.fx / p.z()));
   const cv::Rect around = cv::Rect(u0 - reach, v0 - reach, 2 * reach + 1, 2 * reach + 1) &
                           cv::Rect({0, 0}, yard.depth.size());
   double nearest = close;
@@ -94,7 +90,7 @@ YardKind kindAt(const Frame& frame, const Vector3d& p) {
     for (int u = around.x; u < around.br().x; ++u) {
       const auto z = static_cast<double>(yard.depth.at<float>(v, u));
       if (!std::isfinite(z)) continue;
-      const double distance = (z * camera.ray(u, v) - p).norm();
+      const double distance = (z * demoCamera.ray(u, v) - p).norm();
       if (distance >= nearest) continue;
       nearest = distance;
       kind = YardKind{yard.kind.at<std::uint8_t>(v, u)};
@@ -166,7 +162,7 @@ FramePtr ChainStage::sensed(const FramePtr& frame) const {
                   depthNoiseStream(m_seed, frame->sequence));
     roundToMillimetres(depth);
   }
-  made->cloud = cloudOf(depth, cameraOf(*frame));
+  made->cloud = cloudOf(depth, demoCamera);
   made->right.release();
   made->rig.reset();
   return made;

@@ -3,7 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "lab/experiments/model_picture.h"
-#include "simulation/pinhole_view.h"
+#include "simulation/scene_view.h"
 
 namespace boomwatch {
 namespace {
@@ -83,7 +83,7 @@ std::optional<Chapter> runGapExperiment(const ExperimentSetup& setup,
   std::vector<cv::Mat> pictures;
   std::size_t done = 0;
   for (const double z : places) {
-    const PinholeView view = lookAt(sceneWithBoxAt(z));
+    const SceneView view = lookAt(sceneWithBoxAt(z));
     for (const auto& [projection, name] : projections) {
       const EnvironmentModel model = modelOf(*view.cloud, setup.parameters.model, projection);
       table.rows.push_back({name, fixedText(z, 1), fixedText(expectedGap(z, projection), 2),

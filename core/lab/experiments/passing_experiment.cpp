@@ -7,7 +7,7 @@
 #include "environment/cell_update.h"
 #include "lab/experiments/model_picture.h"
 #include "lab/experiments/update_rule.h"
-#include "simulation/pinhole_view.h"
+#include "simulation/scene_view.h"
 #include "simulation/yard/yard.h"
 
 namespace boomwatch {
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double rate = Yard::rate;
 constexpr double walking = 1.1, running = 4.0;  // m/s
-const PinholeCamera camera{384, 288, 200.0};
+constexpr PinholeCamera camera = PinholeCamera::centred(384, 288, 200.0);
 
 OrientedBox upright(const Vector3d& centre, const Vector3d& size) {
   return {centre, size, Eigen::Matrix3d::Identity()};

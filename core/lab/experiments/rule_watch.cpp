@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "simulation/pinhole_view.h"
+#include "simulation/demo_camera.h"
 #include "simulation/yard/yard_truth.h"
 
 namespace boomwatch {
@@ -33,13 +33,12 @@ CellTruth::CellTruth(const GridGeometry& geometry, const Frame& frame)
       m_near(geometry.cellCount()),
       m_far(geometry.cellCount()) {
   const YardTruth& yard = *frame.truth->yard;
-  const PinholeCamera camera;
   for (int v = 0; v < yard.depth.rows; ++v) {
     for (int u = 0; u < yard.depth.cols; ++u) {
       const auto kind = YardKind{yard.kind.at<std::uint8_t>(v, u)};
       const auto z = static_cast<double>(yard.depth.at<float>(v, u));
       if (kind == YardKind::Nothing || isCrane(kind) || !std::isfinite(z)) continue;
-      const Eigen::Vector3d p = z * camera.ray(u, v);
+      const Eigen::Vector3d p = z * demoCamera.ray(u, v);
       if (!geometry.bounds().contains(p.cast<float>())) continue;
       const Eigen::Vector2d q = geometry.onPlane(p);
       const int column = geometry.columnOf(q.x()), row = geometry.rowOf(q.y());

@@ -9,6 +9,7 @@ std::shared_ptr<const Cloud> cloudOf(const cv::Mat& depth, const PinholeCamera& 
   auto cloud = std::make_shared<Cloud>();
   cloud->width = depth.cols;
   cloud->height = depth.rows;
+  cloud->camera = camera;
   cloud->points.resize(depth.total());
   std::vector<float> across;  // the ray of each column: no division a pixel
   for (int u = 0; u < depth.cols; ++u) {

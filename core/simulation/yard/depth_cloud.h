@@ -5,11 +5,11 @@
 #include <opencv2/core.hpp>
 
 #include "frame/cloud.h"
-#include "simulation/pinhole_view.h"
 
 namespace boomwatch {
 
-/// Surface points of a depth image (CV_32FC1, metres, NaN where there is none). Organised.
+/// Surface points of a depth image (CV_32FC1, metres, NaN where there is none). Organised,
+/// with the camera.
 std::shared_ptr<const Cloud> cloudOf(const cv::Mat& depth, const PinholeCamera& camera);
 
 /// Depth as a file of 16 bits holds it.

@@ -24,7 +24,7 @@ YardShadows::YardShadows(const Parts& parts, const Eigen::Matrix3d& level, const
   m_toSun.row(2) = along;
   m_toSun.row(0) = along.unitOrthogonal();
   m_toSun.row(1) = along.cross(along.unitOrthogonal());
-  m_eye.camera = {mapSize, mapSize, mapSize / 2.0 / reach * farAway};
+  m_eye.camera = PinholeCamera::centred(mapSize, mapSize, mapSize / 2.0 / reach * farAway);
   m_eye.eye = m_toSun * middle - farAway * Vector3d::UnitZ();
   m_depth = cv::Mat(m_eye.size(), CV_32FC1, cv::Scalar(std::numeric_limits<double>::infinity()));
   Parts seen;
@@ -37,8 +37,8 @@ YardShadows::YardShadows(const Parts& parts, const Eigen::Matrix3d& level, const
 float YardShadows::sunAt(const Vector3d& place, const Vector3d& normal) const {
   // A little off the surface, or it would throw its shadow on itself.
   const Vector3d p = m_toSun * (place + 0.05 * normal) - m_eye.eye;
-  const double u = m_eye.camera.focal * p.x() / p.z() + m_eye.camera.cx();
-  const double v = m_eye.camera.focal * p.y() / p.z() + m_eye.camera.cy();
+  const Eigen::Vector2d pixel = m_eye.camera.project(p);
+  const double u = pixel.x(), v = pixel.y();
   if (!(u >= 0.0 && v >= 0.0 && u < mapSize - 1 && v < mapSize - 1)) return 1.0F;
   const int column = static_cast<int>(u), row = static_cast<int>(v);
   const auto s = static_cast<float>(u - column), t = static_cast<float>(v - row);

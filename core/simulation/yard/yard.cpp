@@ -29,7 +29,7 @@ Matrix3d levelOf(double down) {
 StereoRig rigOf(const PinholeCamera& camera) {
   StereoRig rig;
   rig.imageSize = {camera.width, camera.height};
-  rig.leftMatrix = {camera.focal, 0, camera.cx(), 0, camera.focal, camera.cy(), 0, 0, 1};
+  rig.leftMatrix = {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
   rig.rightMatrix = rig.leftMatrix;
   rig.translation = {-Yard::baseline, 0, 0};
   rig.rectified = true;
@@ -45,7 +45,8 @@ YardPicture paintStill(const YardEye& eye, const YardGround& ground, const Parts
     return picture;
   };
   YardEye fine = eye;
-  fine.camera.width *= 2, fine.camera.height *= 2, fine.camera.focal *= 2;
+  fine.camera =
+      PinholeCamera::centred(2 * eye.camera.width, 2 * eye.camera.height, 2 * eye.camera.fx);
   YardPicture picture = painted(eye);
   cv::resize(painted(fine).colour, picture.colour, picture.colour.size(), 0, 0, cv::INTER_AREA);
   return picture;
@@ -153,11 +154,10 @@ YardTruth Yard::truthAt(double time, const YardShot& shot) const {
   truth.kind = shot.eyes[0].kind;
   truth.depth = shot.eyes[0].depth.clone();
   truth.depth.setTo(std::numeric_limits<float>::quiet_NaN(), truth.depth > YardTruth::farthest);
-  truth.depthTimesDisparity = m_eyes[0].camera.focal * baseline;
+  truth.depthTimesDisparity = m_eyes[0].camera.fx * baseline;
   truth.toolPoint = m_level.transpose() * toolPointAt(pose);
-  const Vector3d seen = truth.toolPoint / truth.toolPoint.z();
-  truth.toolPixel = {m_eyes[0].camera.focal * seen.x() + m_eyes[0].camera.cx(),
-                     m_eyes[0].camera.focal * seen.y() + m_eyes[0].camera.cy()};
+  const Eigen::Vector2d toolPixel = m_eyes[0].camera.project(truth.toolPoint);
+  truth.toolPixel = {toolPixel.x(), toolPixel.y()};
   Parts tool = toCamera(m_layout->crane.partsAt(pose, m_layout->log));
   std::erase_if(tool, [](const Part& part) { return part.kind != YardKind::Tool; });
   const cv::Mat silhouette = silhouetteOf(m_eyes[0], tool);

@@ -22,15 +22,13 @@ class Footprint {
   template <std::size_t N>
   Footprint(const std::array<Vector3d, N>& points, const YardEye& eye) {
     static_assert(N <= 8);
-    const PinholeCamera& camera = eye.camera;
     for (const Vector3d& point : points) {
       const Vector3d p = point - eye.eye;
       if (p.z() < nearest) {
         m_everywhere = true;
         return;
       }
-      m_points[m_count++] = {camera.focal * p.x() / p.z() + camera.cx(),
-                             camera.focal * p.y() / p.z() + camera.cy()};
+      m_points[m_count++] = eye.camera.project(p);
     }
     for (std::size_t k = 0; k < m_count; ++k) {
       m_top = std::min(m_top, m_points[k].y());

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 
-#include "simulation/pinhole_view.h"
+#include "simulation/demo_camera.h"
 #include "simulation/yard/part.h"
 #include "simulation/yard/yard_ground.h"
 
@@ -11,7 +11,7 @@ namespace boomwatch {
 
 /// A camera that looks along z from `eye`. Camera frame, metres.
 struct YardEye {
-  PinholeCamera camera;
+  PinholeCamera camera = demoCamera;
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
   Eigen::Matrix3d level = Eigen::Matrix3d::Identity();  ///< from the camera's to the yard frame
 

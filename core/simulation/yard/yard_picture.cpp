@@ -35,7 +35,7 @@ cv::Vec3b developed(const Vector3f& colour, double z) {
 /// Metres that a pixel covers at `z` on a surface that the ray meets under a slant.
 float footprintAt(const YardEye& eye, double z, const Vector3d& normal, const Vector3d& ray) {
   const double slant = std::max(0.25, std::abs(normal.dot(ray)) / ray.norm());
-  return static_cast<float>(z / eye.camera.focal / std::sqrt(slant));
+  return static_cast<float>(z / eye.camera.fx / std::sqrt(slant));
 }
 
 /// The pixel's colour, and the share of its light that comes from the sun.

@@ -68,10 +68,9 @@ void YardSensor::addRain(cv::Mat& colour, const YardEye& eye, std::size_t frame)
   constexpr int fraction = 4;
   const auto pixel = [&](const Vector3d& point) {
     const Vector3d p = point - eye.eye;
-    const double scale = camera.focal / p.z();
-    return cv::Point(
-        static_cast<int>(std::lround((scale * p.x() + camera.cx()) * (1 << fraction))),
-        static_cast<int>(std::lround((scale * p.y() + camera.cy()) * (1 << fraction))));
+    const double scale = camera.fx / p.z();
+    return cv::Point(static_cast<int>(std::lround((scale * p.x() + camera.cx) * (1 << fraction))),
+                     static_cast<int>(std::lround((scale * p.y() + camera.cy) * (1 << fraction))));
   };
   for (int k = 0; k < drops; ++k) {
     // As many drops in every piece of the pyramid that is seen.

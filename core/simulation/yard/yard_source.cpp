@@ -48,10 +48,9 @@ class YardSource : public IndexedSource {
   cv::Rect2d boxAround(const Eigen::Vector3d& toolPoint) const {
     constexpr double half = 0.28, above = 0.14, below = 0.55;  // metres
     const PinholeCamera& camera = m_yard.eye(0).camera;
-    const double scale = camera.focal / toolPoint.z();
-    return {camera.cx() + (toolPoint.x() - half) * scale,
-            camera.cy() + (toolPoint.y() - above) * scale, 2 * half * scale,
-            (above + below) * scale};
+    const double scale = camera.fx / toolPoint.z();
+    return {camera.cx + (toolPoint.x() - half) * scale, camera.cy + (toolPoint.y() - above) * scale,
+            2 * half * scale, (above + below) * scale};
   }
 
   /// The mean of the pictures while the shutter is open, of which `shot` is the middle one.

@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 namespace {
 
 constexpr int width = 384, height = 288;
-constexpr double focal = 250.0;
+constexpr PinholeCamera camera{width, height, 250.0, 250.0, width / 2, height / 2};
 
 const Part jib = rod({0.2, -3.0, 4.0}, {0.0, 0.0, 5.0}, 0.12);
 const Vector3f tool(0.0F, -0.1F, 4.85F);
@@ -25,9 +25,10 @@ Cloud seen(const Parts& parts) {
   Cloud cloud;
   cloud.width = width;
   cloud.height = height;
+  cloud.camera = camera;
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      const Vector3d ray((u - width / 2) / focal, (v - height / 2) / focal, 1.0);
+      const Vector3d ray = camera.ray(u, v);
       std::optional<double> nearest;
       for (const Part& part : parts) {
         const auto hit = cast(part, Vector3d::Zero(), ray);

@@ -21,7 +21,7 @@ class TestDepthView : public QObject {
   void looksThroughWhatIsBeforeTheWallOnly();
   void oneRayThatIsStoppedIsEnough();
   void whatIsNotMeasuredIsNotLookedThrough();
-  void withoutAPinholeItSeesNothing();
+  void withoutACameraItSeesNothing();
   void aGhostThatIsLookedThroughIsNotHeld();
   void whatSomethingNearerHidesIsNotForgotten();
 };
@@ -58,10 +58,11 @@ void TestDepthView::whatIsNotMeasuredIsNotLookedThrough() {
   QVERIFY(view.looksThrough({0.6, 0.0, 2.0}, size, room));
 }
 
-void TestDepthView::withoutAPinholeItSeesNothing() {
+void TestDepthView::withoutACameraItSeesNothing() {
   Cloud line = *wallCloud(3.0F);
   line.width *= line.height;
   line.height = 1;
+  line.camera.reset();
   QVERIFY(!DepthView(line).looksThrough({0.3, -0.2, 2.0}, size, room));
   QVERIFY(!DepthView(Cloud{}).looksThrough({0.3, -0.2, 2.0}, size, room));
 }

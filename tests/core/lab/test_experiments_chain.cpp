@@ -35,11 +35,11 @@ class TestExperimentsChain : public QObject {
     const FramePtr points = yards.at("seed=3,frames=4,as=cloud", 2);
     const FramePtr depth = yards.at("seed=3,frames=4,as=depth", 2);
     const YardTruth& truth = *pair->truth->yard;
-    QVERIFY(samePoints(*cloudOf(truth.depth, PinholeCamera{}), *points->cloud));
+    QVERIFY(samePoints(*cloudOf(truth.depth, demoCamera), *points->cloud));
     cv::Mat noisy = truth.depth.clone();
     addDepthNoise(noisy, 0.2, truth.depthTimesDisparity, depthNoiseStream(3, 2));
     roundToMillimetres(noisy);
-    QVERIFY(samePoints(*cloudOf(noisy, PinholeCamera{}), *depth->cloud));
+    QVERIFY(samePoints(*cloudOf(noisy, demoCamera), *depth->cloud));
   }
 
   // Brute force over all pixels, by other means: nothing seen is nearer than all there is.

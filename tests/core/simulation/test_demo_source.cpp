@@ -6,8 +6,9 @@
 
 #include "environment/grid_geometry.h"
 #include "simulation/demo_source.h"
-#include "simulation/pinhole_view.h"
 #include "simulation/scene.h"
+#include "simulation/scene_view.h"
+#include "support/camera_check.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -197,12 +198,12 @@ class TestDemoSource : public QObject {
   void raysEndOnTheSurfacesTheyMeet() {
     QFETCH(QString, name);
     const Scene scene = sceneNamed(name);
-    const PinholeView view = lookAt(scene, {192, 144, 150.0});
+    const SceneView view = lookAt(scene, PinholeCamera::centred(192, 144, 150.0));
     std::size_t measured = 0;
     for (int v = 0; v < 144; ++v) {
       for (int u = 0; u < 192; ++u) {
         const auto& found = view.cloud->at(u, v);
-        const Vector3d ray = view.camera.ray(u, v);
+        const Vector3d ray = view.cloud->camera->ray(u, v);
         if (isMeasured(found)) {
           ++measured;
           const Vector3d p = found.cast<double>();
@@ -210,13 +211,14 @@ class TestDemoSource : public QObject {
           QVERIFY2(outside(scene, p) < 1e-4, qPrintable(QString("%1, %2").arg(u).arg(v)));
         }
         // Nothing stands before the surface that was found.
-        const double end = isMeasured(found) ? double(found.z()) : PinholeView::farthest;
+        const double end = isMeasured(found) ? double(found.z()) : SceneView::farthest;
         for (double z = 0.1; z < end - 0.01; z += 0.1) {
           if (outside(scene, z * ray) <= 0.0) QFAIL("a ray passes through a solid");
         }
       }
     }
     QVERIFY(measured > 192 * 144 / 3);
+    QVERIFY(missOfCamera(*view.cloud) < 1e-3);
   }
 
   void figure22HoldsForTheGeometry() {
@@ -351,7 +353,7 @@ class TestDemoSource : public QObject {
   }
 
   void theLoadIsInThePictureWhereNothingStandsBeforeIt() {
-    const PinholeView view = lookAt(cylindersScene());
+    const SceneView view = lookAt(cylindersScene());
     const auto changed = [&](const OrientedBox& load) {
       cv::Mat difference;
       cv::absdiff(pictureWithLoad(view, load, 1), view.image, difference);

@@ -6,6 +6,7 @@
 #include "frame/stereo_rig.h"
 #include "simulation/yard/yard_sensor.h"
 #include "simulation/yard/yard_source.h"
+#include "support/camera_check.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 #include "support/yard_frames.h"
@@ -92,13 +93,14 @@ class TestYardSource : public QObject {
     const cv::Mat& depth = frame->truth->yard->depth;
     QVERIFY(frame->cloud->organised() && frame->right.empty() && !frame->rig);
     QCOMPARE(frame->cloud->size(), frame->left.total());
-    const PinholeCamera camera;
+    QCOMPARE(*frame->cloud->camera, demoCamera);
+    QVERIFY(missOfCamera(*frame->cloud) < 1e-3);
     for (int v = 0; v < depth.rows; v += 3) {
       for (int u = 0; u < depth.cols; u += 3) {
         const Eigen::Vector3f& p = frame->cloud->at(u, v);
         const float z = depth.at<float>(v, u);
         QCOMPARE(isMeasured(p), bool(std::isfinite(z)));
-        if (isMeasured(p)) QVERIFY((p.cast<double>() - z * camera.ray(u, v)).norm() < 1e-4);
+        if (isMeasured(p)) QVERIFY((p.cast<double>() - z * demoCamera.ray(u, v)).norm() < 1e-4);
       }
     }
   }

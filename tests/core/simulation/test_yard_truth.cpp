@@ -206,7 +206,6 @@ class TestYardTruth : public QObject {
       const YardTruth& known = truth(index, frame);
       OrientedBox load = known.load;
       load.size.array() += 2e-4;
-      const PinholeCamera camera;
       int loads = 0, tools = 0;
       for (int v = 0; v < known.kind.rows; ++v) {
         for (int u = 0; u < known.kind.cols; ++u) {
@@ -217,7 +216,7 @@ class TestYardTruth : public QObject {
           }
           if (kind != YardKind::Load) continue;
           ++loads;
-          const Vector3d p = double(known.depth.at<float>(v, u)) * camera.ray(u, v);
+          const Vector3d p = double(known.depth.at<float>(v, u)) * demoCamera.ray(u, v);
           QVERIFY(load.contains(p));
           QVERIFY(known.log.distanceTo(p) < 1e-4);
         }

@@ -7,7 +7,7 @@
 #include "pipeline/parameter_checks.h"
 #include "pipeline/preset_file.h"
 #include "sources/cloud_file.h"
-#include "sources/depth_camera.h"
+#include "sources/depth_calibration.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -147,8 +147,8 @@ class TestCloudFileMutations : public QObject {
   void noIntrinsicsBreakTheReader() {
     QFETCH(QByteArray, bytes);
     const auto read = [](const std::filesystem::path& file) {
-      const DepthCamera camera = readDepthCamera(file);
-      QVERIFY(camera.fx > 0.0 && camera.fy > 0.0 && camera.unitsPerMetre > 0.0);
+      const auto [camera, unitsPerMetre] = readDepthCalibration(file);
+      QVERIFY(camera.fx > 0.0 && camera.fy > 0.0 && unitsPerMetre > 0.0);
     };
     const QString name = QString("changed.") + QTest::currentDataTag();
     QVERIFY(readEveryMutation(name, bytes, read) > 0);

@@ -2,6 +2,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "sources/depth_source.h"
+#include "support/camera_check.h"
 #include "support/real_data.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -72,6 +73,9 @@ class TestDepthSource : public QObject {
     QVERIFY(cloud.at(0, 0).array().isNaN().all());
     // (u - cx) z / fx, (v - cy) z / fy
     QVERIFY(cloud.at(3, 0).isApprox(Eigen::Vector3f(0.04F, -0.08F, 2.0F)));
+    QCOMPARE(*cloud.camera, (PinholeCamera{4, 3, 100.0, 50.0, 1.0, 2.0}));
+    QVERIFY(missOfCamera(cloud) < 1e-5);
+    QCOMPARE(cloud.noise.at(10.0), 0.14);  // a Kinect's, at 10 m
     QCOMPARE(read.frame->left.at<cv::Vec3b>(0, 0), cv::Vec3b(9, 0, 0));
     const FramePtr second = source->next(patience).frame;
     QCOMPARE(second->cloud->at(1, 2), Eigen::Vector3f(0.0F, 0.0F, 3.0F));
@@ -127,6 +131,7 @@ class TestDepthSource : public QObject {
     QCOMPARE(first->left.at<cv::Vec3b>(0, 0)[0], uchar(1));
     QCOMPARE(first->stamp, 1000.0);
     QCOMPARE(first->cloud->at(1, 1).z(), 1.0F);  // 5000 units a metre
+    QCOMPARE(*first->cloud->camera, (PinholeCamera{4, 3, 525.0, 525.0, 319.5, 239.5}));
     QVERIFY(std::abs(first->cloud->at(1, 1).x() - (1 - 319.5F) / 525.0F) < 1e-6F);
     QVERIFY(std::abs(first->cloud->at(1, 1).y() - (1 - 239.5F) / 525.0F) < 1e-6F);
     const FramePtr second = source->next(patience).frame;

@@ -53,6 +53,7 @@ void TestMapSource::aGridIsSeenFromAbove() {
   QCOMPARE(cloud->at(0, 0), Eigen::Vector3f(-2.0F, -1.0F, 19.0F));
   QCOMPARE(cloud->at(1, 1), Eigen::Vector3f(0.0F, 1.0F, 15.0F));
   QVERIFY(!isMeasured(cloud->at(2, 1)));
+  QVERIFY(!cloud->camera);
 }
 
 void TestMapSource::betweenCellsItIsInterpolated() {

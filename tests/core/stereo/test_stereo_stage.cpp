@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "stereo/stereo_stage.h"
+#include "support/camera_check.h"
 #include "support/real_data.h"
 #include "support/test_registry.h"
 
@@ -77,7 +78,7 @@ Errors errorsAgainstPlane(const StereoResult& result, const cv::Vec3d& normal, d
   for (const auto& p : result.cloud->points) {
     if (!isMeasured(p)) continue;
     const double z = offset / normal.dot(cv::Vec3d(p.x() / p.z(), p.y() / p.z(), 1));
-    const double error = result.focalLength * result.baseline * (1 / p.z() - 1 / z);
+    const double error = (1 / p.z() - 1 / z) / result.cloud->noise.perPixel;
     all.mean += error;
     errors.push_back(std::abs(error));
   }
@@ -186,8 +187,10 @@ class TestStereoMatcher : public QObject {
     p.blockSize = matcher ? 11 : 5;
     StereoStage stage;
     const auto result = stage.process(pair.left, pair.right, rig, p);
-    QCOMPARE(result.focalLength, 400.0);
-    QCOMPARE(result.baseline, 0.2);
+    QCOMPARE(*result.cloud->camera, (PinholeCamera{480, 320, 400.0, 400.0, 240.0, 160.0}));
+    QCOMPARE(*result.surfaces->camera, *result.cloud->camera);
+    QVERIFY(missOfCamera(*result.cloud) < 1e-3);
+    QCOMPARE(result.cloud->noise.perPixel, 1.0 / (400.0 * 0.2));
     QCOMPARE(result.cloud->width, 480);
     QCOMPARE(result.cloud->height, 320);
     verifyPlane(result, normal, 2.5);
@@ -205,7 +208,10 @@ class TestStereoMatcher : public QObject {
     const auto pair = renderPlane(rig, normal, 2.5);
     StereoStage stage;
     const auto result = stage.process(pair.left, pair.right, rig, {});
-    QVERIFY(std::abs(result.baseline - cv::norm(rig.translation)) < 1e-9);
+    const double perPixel = result.cloud->noise.perPixel;
+    QVERIFY(std::abs(1.0 / (result.cloud->camera->fx * perPixel) - cv::norm(rig.translation)) <
+            1e-9);
+    QVERIFY(missOfCamera(*result.cloud) < 1e-3);
     // The cloud is in the rectified camera's frame, which R1 turns from the left camera's.
     cv::Matx33d r1, r2;
     cv::Matx34d p1, p2;

@@ -1,4 +1,4 @@
-#include "simulation/pinhole_view.h"
+#include "simulation/scene_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,9 @@ cv::Rect pixelsAround(const OrientedBox& box, const PinholeCamera& camera) {
   double right = -left, bottom = -left;
   for (const Vector3d& corner : box.corners()) {
     if (corner.z() < 0.01) return all;
-    const double u = camera.focal * corner.x() / corner.z() + camera.cx();
-    const double v = camera.focal * corner.y() / corner.z() + camera.cy();
-    left = std::min(left, u), right = std::max(right, u);
-    top = std::min(top, v), bottom = std::max(bottom, v);
+    const Eigen::Vector2d pixel = camera.project(corner);
+    left = std::min(left, pixel.x()), right = std::max(right, pixel.x());
+    top = std::min(top, pixel.y()), bottom = std::max(bottom, pixel.y());
   }
   const auto column = [&](double u) {
     return static_cast<int>(std::clamp(u, -1.0, camera.width + 1.0));
@@ -66,10 +65,11 @@ void addNoise(cv::Mat& image, std::uint64_t sequence) {
 
 }  // namespace
 
-PinholeView lookAt(const Scene& scene, const PinholeCamera& camera) {
+SceneView lookAt(const Scene& scene, const PinholeCamera& camera) {
   auto cloud = std::make_shared<Cloud>();
   cloud->width = camera.width;
   cloud->height = camera.height;
+  cloud->camera = camera;
   cloud->points.reserve(static_cast<std::size_t>(camera.width) *
                         static_cast<std::size_t>(camera.height));
   cv::Mat image(camera.height, camera.width, CV_8UC1, cv::Scalar(sky));
@@ -77,7 +77,7 @@ PinholeView lookAt(const Scene& scene, const PinholeCamera& camera) {
     for (int u = 0; u < camera.width; ++u) {
       const Vector3d ray = camera.ray(u, v);
       const auto hit = cast(scene, Vector3d::Zero(), ray);
-      if (!hit || hit->depth > PinholeView::farthest) {
+      if (!hit || hit->depth > SceneView::farthest) {
         cloud->points.push_back(unmeasuredPoint());
         continue;
       }
@@ -86,15 +86,16 @@ PinholeView lookAt(const Scene& scene, const PinholeCamera& camera) {
       image.at<std::uint8_t>(v, u) = shade(p, hit->normal);
     }
   }
-  return {camera, std::move(cloud), image};
+  return {std::move(cloud), image};
 }
 
-cv::Mat pictureWithLoad(const PinholeView& view, const OrientedBox& load, std::uint64_t sequence) {
+cv::Mat pictureWithLoad(const SceneView& view, const OrientedBox& load, std::uint64_t sequence) {
   cv::Mat picture = view.image.clone();
-  const cv::Rect pixels = pixelsAround(load, view.camera);
+  const PinholeCamera& camera = *view.cloud->camera;
+  const cv::Rect pixels = pixelsAround(load, camera);
   for (int v = pixels.y; v < pixels.y + pixels.height; ++v) {
     for (int u = pixels.x; u < pixels.x + pixels.width; ++u) {
-      const Vector3d ray = view.camera.ray(u, v);
+      const Vector3d ray = camera.ray(u, v);
       const auto hit = cast(load, Vector3d::Zero(), ray);
       const Eigen::Vector3f& behind = view.cloud->at(u, v);
       if (!hit || (isMeasured(behind) && hit->depth > static_cast<double>(behind.z()))) continue;

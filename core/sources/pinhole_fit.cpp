@@ -1,4 +1,4 @@
-#include "frame/pinhole_fit.h"
+#include "sources/pinhole_fit.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ class LineFit {
 
 }  // namespace
 
-std::optional<PinholeProjection> fitPinhole(const Cloud& cloud) {
+std::optional<PinholeCamera> fitPinhole(const Cloud& cloud) {
   constexpr double tolerance = 2.0;  // pixels
   if (!cloud.organised() || cloud.width < 2) return std::nullopt;
   const int step =
@@ -47,7 +47,9 @@ std::optional<PinholeProjection> fitPinhole(const Cloud& cloud) {
       vertical.add(p.y() / p.z(), row);
     }
   }
-  PinholeProjection fit;
+  PinholeCamera fit;
+  fit.width = cloud.width;
+  fit.height = cloud.height;
   if (!horizontal.solve(tolerance, fit.fx, fit.cx)) return std::nullopt;
   if (!vertical.solve(tolerance, fit.fy, fit.cy)) return std::nullopt;
   return fit;

@@ -1,4 +1,4 @@
-#include "sources/depth_camera.h"
+#include "sources/depth_calibration.h"
 
 #include <cmath>
 
@@ -29,45 +29,55 @@ double numberIn(const OpencvFile& content, const char* key, const std::filesyste
   refuse(file, std::string(key) + " is missing or not a number");
 }
 
-DepthCamera parse(const OpencvFile& content, const std::filesystem::path& file) {
-  DepthCamera camera;
+DepthCalibration parse(const OpencvFile& content, const std::filesystem::path& file) {
+  DepthCalibration calibration;
+  PinholeCamera& camera = calibration.camera;
   const cv::Mat matrix = matrixIn(content, file);
   if (!matrix.empty()) {
-    camera = {matrix.at<double>(0, 0), matrix.at<double>(1, 1), matrix.at<double>(0, 2),
-              matrix.at<double>(1, 2)};
+    camera.fx = matrix.at<double>(0, 0);
+    camera.fy = matrix.at<double>(1, 1);
+    camera.cx = matrix.at<double>(0, 2);
+    camera.cy = matrix.at<double>(1, 2);
   } else if (content.numbers.contains("fx")) {
-    camera = {content.numbers.at("fx"), numberIn(content, "fy", file),
-              numberIn(content, "cx", file), numberIn(content, "cy", file)};
+    camera.fx = content.numbers.at("fx");
+    camera.fy = numberIn(content, "fy", file);
+    camera.cx = numberIn(content, "cx", file);
+    camera.cy = numberIn(content, "cy", file);
   } else {
     refuse(file, "there is neither a matrix camera_matrix, M1, intrinsic or K, nor a number fx");
   }
   if (content.numbers.contains("depth_factor")) {
-    camera.unitsPerMetre = content.numbers.at("depth_factor");
+    calibration.unitsPerMetre = content.numbers.at("depth_factor");
   }
-  return camera;
+  return calibration;
 }
 
-void check(const DepthCamera& camera, const std::filesystem::path& file) {
+void check(const DepthCalibration& calibration, const std::filesystem::path& file) {
+  const PinholeCamera& camera = calibration.camera;
   const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (!positive(camera.fx) || !positive(camera.fy)) refuse(file, "a focal length is not above 0");
   if (!std::isfinite(camera.cx) || !std::isfinite(camera.cy)) {
     refuse(file, "the principal point is not a number");
   }
-  if (!positive(camera.unitsPerMetre)) refuse(file, "depth_factor is not above 0");
+  if (!positive(calibration.unitsPerMetre)) refuse(file, "depth_factor is not above 0");
 }
 
 }  // namespace
 
-DepthCamera readDepthCamera(const std::filesystem::path& file) {
-  const DepthCamera camera = parse(readOpencvFile(file), file);
-  check(camera, file);
-  return camera;
+DepthCalibration readDepthCalibration(const std::filesystem::path& file) {
+  const DepthCalibration calibration = parse(readOpencvFile(file), file);
+  check(calibration, file);
+  return calibration;
 }
 
-Cloud cloudFromDepth(const cv::Mat& depth, const DepthCamera& camera) {
+Cloud cloudFromDepth(const cv::Mat& depth, const DepthCalibration& calibration) {
   Cloud cloud;
   cloud.width = depth.cols;
   cloud.height = depth.rows;
+  PinholeCamera camera = calibration.camera;
+  camera.width = depth.cols;
+  camera.height = depth.rows;
+  cloud.camera = camera;
   cloud.points.reserve(depth.total());
   for (int v = 0; v < depth.rows; ++v) {
     const auto* row = depth.ptr<std::uint16_t>(v);
@@ -76,7 +86,7 @@ Cloud cloudFromDepth(const cv::Mat& depth, const DepthCamera& camera) {
         cloud.points.push_back(unmeasuredPoint());
         continue;
       }
-      const double z = row[u] / camera.unitsPerMetre;
+      const double z = row[u] / calibration.unitsPerMetre;
       cloud.points.push_back(
           Eigen::Vector3d((u - camera.cx) * z / camera.fx, (v - camera.cy) * z / camera.fy, z)
               .cast<float>());
