@@ -10,41 +10,44 @@ namespace {
 QString shownText() {
   return HelpDialog::tr(
       "<h3>What you see</h3>"
-      "<p>The bar on the left is the distance from the load to the nearest thing in the model of "
-      "the surroundings. It begins to fill at the caution distance and is full at a collision. "
-      "Hatched means that there is no distance; the reason stands beside it.</p>"
-      "<p>The point cloud is what the camera measures now: the watched space in green, the load "
-      "in violet, points taken out as moving in red, and the nearest pair joined by a line. The "
-      "probability map says how sure the model is of each cell; the environment model shows how "
-      "far away each one is, nearer being brighter, and hatched where nothing was ever seen.</p>");
+      "<p>The bar on the left shows the distance from the load to the nearest obstacle in the "
+      "environment model. It begins to fill at the caution distance and is full at a collision. "
+      "A hatched bar means that there is no distance; the reason is beside it.</p>"
+      "<p>The point cloud shows what the camera measures now. The watched space is green, the load "
+      "is violet, masked points of the crane are red, and a line joins the nearest pair of "
+      "points. The probability map shows how certain each cell of the model is. The environment "
+      "model shows the depth of each cell: nearer cells are brighter, unobserved cells are "
+      "hatched.</p>");
 }
 
 QString unknownText() {
   return HelpDialog::tr(
-      "<h3>What it does not know</h3>"
-      "<ul><li>What is behind a surface. Each cell holds the surface that is nearest to the "
-      "camera, nothing behind it.</li>"
-      "<li>What was never observed: hidden, too dark, too bright or without texture. The share of "
-      "the neighbourhood that was observed stands at the bar.</li>"
-      "<li>What has only just appeared. A thing must be seen in several frames in a row before it "
-      "enters the model.</li>"
-      "<li>Where the tool is, when it was lost for too long. Then boom and load cannot be taken "
-      "out of the cloud, and there is no distance.</li>"
-      "<li>What is taken out with the load and the boom: shown in red, not in the distance.</li>"
-      "<li>Anything, when the camera moves: the model is made for one that stands still.</li></ul>"
-      "<p>A picture that is paused or ended is not what is there now. The words over the bar say "
+      "<h3>What the program cannot know</h3>"
+      "<ul><li><b>Occluded objects.</b> Each cell holds the surface nearest to the camera. "
+      "Objects behind it are not in the model.</li>"
+      "<li><b>Unobserved space.</b> Occluded, dark, over-exposed or textureless areas have no "
+      "depth. The bar shows the observed share of the neighbourhood.</li>"
+      "<li><b>Objects that have just appeared.</b> The camera must see an object in several "
+      "frames in a row before it enters the model.</li>"
+      "<li><b>The distance while the tool is lost.</b> Boom and load cannot be masked without "
+      "the tool, so there is no distance.</li>"
+      "<li><b>Masked points.</b> Points masked with the crane and its load are red and are not "
+      "part of the distance.</li>"
+      "<li><b>A moving camera.</b> The model needs a camera that stands still.</li></ul>"
+      "<p>A paused or ended recording does not show the present. The caption over the bar says "
       "so.</p>");
 }
 
 QString trackersText() {
   return HelpDialog::tr(
       "<h3>Which tracker</h3>"
-      "<ul><li><b>tld</b> is the one to begin with: it finds the tool again after it was hidden, "
-      "learns new views of it, and what it learnt can be saved.</li>"
-      "<li><b>cmt</b> where the tool has much texture, turns in the picture or is partly covered; "
-      "not where it is small, blurred or smooth.</li>"
-      "<li><b>csrt</b> where the computer has time to spare and the tool stays in sight.</li>"
-      "<li><b>klt</b> for a short while and with little time: once lost, it stays lost.</li></ul>");
+      "<ul><li><b>tld</b> is the default. It re-detects the tool after an occlusion, learns new "
+      "views of it, and can be saved.</li>"
+      "<li><b>cmt</b> suits a tool with much texture that rotates in the picture or is partly "
+      "occluded. It does not suit a small, blurred or smooth tool.</li>"
+      "<li><b>csrt</b> suits a fast computer and a tool that stays in sight.</li>"
+      "<li><b>klt</b> suits short runs on a slow computer. It does not re-detect a lost "
+      "tool.</li></ul>");
 }
 
 QString keysText() {
@@ -52,16 +55,16 @@ QString keysText() {
       "<h3>Keys</h3>"
       "<table cellpadding='3'>"
       "<tr><td>Space</td><td>play or pause</td></tr>"
-      "<tr><td>. and ,</td><td>one frame on, one frame back</td></tr>"
-      "<tr><td>L</td><td>begin again at the end</td></tr>"
+      "<tr><td>. and ,</td><td>next frame, previous frame</td></tr>"
+      "<tr><td>L</td><td>loop the recording</td></tr>"
       "<tr><td>Ctrl+O</td><td>open a recording</td></tr>"
       "<tr><td>Ctrl+S</td><td>save a picture of the window</td></tr>"
       "<tr><td>R</td><td>reset the 3-D view</td></tr>"
       "<tr><td>F</td><td>fit the maps</td></tr>"
-      "<tr><td>Drag in the camera picture</td><td>follow the tool in this box; or B, arrows "
-      "and Enter</td></tr>"
-      "<tr><td>Click in the camera picture</td><td>the tool is here and stays here; right click: "
-      "it is not</td></tr></table>");
+      "<tr><td>Drag in the camera view</td><td>track the tool in this box; or press B, the arrow "
+      "keys and Enter</td></tr>"
+      "<tr><td>Click in the camera view</td><td>set a fixed tool point</td></tr>"
+      "<tr><td>Right-click in the camera view</td><td>remove the tool</td></tr></table>");
 }
 
 }  // namespace

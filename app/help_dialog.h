@@ -4,7 +4,7 @@
 
 namespace boomwatch {
 
-/// One page: what the window shows, what it does not know, and the keys. GUI thread.
+/// One page: what the window shows, what the program cannot know, and the keys. GUI thread.
 class HelpDialog : public QDialog {
   Q_OBJECT
 

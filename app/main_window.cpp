@@ -167,21 +167,21 @@ QString MainWindow::sentenceOf(const Notice& notice) {
     case Notice::Kind::OpenFailed:
       return tr("Not opened: %1").arg(notice.text);
     case Notice::Kind::Lost:
-      return tr("Lost: %1").arg(notice.text);
+      return tr("Source lost: %1").arg(notice.text);
     case Notice::Kind::Tool:
       return tr("Tool: %1").arg(notice.text);
     case Notice::Kind::Calibration:
-      return tr("The calibration does not fit: the rows of left and right differ "
-                "by %1 px. Calibrate anew, or switch on Refine where it is off.")
+      return tr("The calibration does not fit: the rows of left and right differ by %1 px. "
+                "Calibrate again, or switch on Row correction if it is off.")
           .arg(notice.text);
     case Notice::Kind::RowsCorrected:
-      return tr("The calibration does not fit: the rows of left and right "
-                "differ by %1 px. That is corrected; better calibrate anew.")
+      return tr("The calibration does not fit: the rows of left and right differ by %1 px. The "
+                "program corrects this. Calibrate again soon.")
           .arg(notice.text);
     case Notice::Kind::Parameters:
-      return tr("Parameters not in force: %1").arg(notice.text);
+      return tr("Parameters not applied: %1").arg(notice.text);
     case Notice::Kind::Frame:
-      return tr("Frame not used: %1").arg(notice.text);
+      return tr("Frame rejected: %1").arg(notice.text);
   }
   return {};
 }
@@ -238,7 +238,7 @@ void MainWindow::setParameters(const Parameters& parameters) {
 void MainWindow::orderTool(const ToolOrder& order) {
   send(ToolCommand{order});
   if (m_status.player && !playing()) {
-    m_panes.state->showNotice(tr("The tool is set with the next frame."));
+    m_panes.state->showNotice(tr("The tool will be set with the next frame."));
   }
 }
 
@@ -259,7 +259,7 @@ void MainWindow::askForSnapshot() {
   const QString file = askSaveName(this, tr("Save a picture of the window"),
                                    QDir(folder).filePath(name), tr("Pictures (*.png)"), suffix);
   if (!file.isEmpty() && !picture.save(file)) {
-    m_panes.state->showFault(tr("%1 cannot be written.").arg(file));
+    m_panes.state->showFault(tr("%1 cannot be written. Choose another folder.").arg(file));
   }
 }
 
@@ -316,10 +316,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openSource(*address);
     event->acceptProposedAction();
   } else {
-    m_panes.state->showFault(
-        tr("%1 is not a recording that can be opened. Drop a folder with left and right pictures, "
-           "with depth pictures, or with PCD or PLY files.")
-            .arg(path));
+    m_panes.state->showFault(tr("%1 is not a known recording. Drop a folder with left and right "
+                                "pictures, with depth pictures, or with PCD or PLY files.")
+                                 .arg(path));
   }
 }
 

@@ -27,12 +27,12 @@ QString playerSentence(const SourceStatus& status) {
       return player.live ? StateText::tr("Live: %1").arg(status.address)
                          : StateText::tr("Recording: %1").arg(status.address);
     case PlayState::Paused:
-      return StateText::tr("Paused: %1, not what is there now.").arg(frameText(player));
+      return StateText::tr("Paused: %1. The picture is not live.").arg(frameText(player));
     case PlayState::Ended:
-      return StateText::tr("End of the recording: %1, not what is there now.")
+      return StateText::tr("End of the recording: %1. The picture is not live.")
           .arg(frameText(player));
     case PlayState::Lost:
-      return StateText::tr("%1 is lost. Play opens it again.").arg(status.address);
+      return StateText::tr("%1 is lost. Press Play to open it again.").arg(status.address);
   }
   return {};
 }
@@ -41,7 +41,7 @@ QString playerSentence(const SourceStatus& status) {
 
 QString barCaption(const SourceStatus& status) {
   if (!status.player) {
-    return status.opening.isEmpty() ? StateText::tr("NOTHING OPEN") : StateText::tr("OPENING");
+    return status.opening.isEmpty() ? StateText::tr("NO SOURCE") : StateText::tr("OPENING");
   }
   switch (status.player->state) {
     case PlayState::Playing:
@@ -58,17 +58,18 @@ QString barCaption(const SourceStatus& status) {
 
 QString stateSentence(const SourceStatus& status, bool rebuilding) {
   if (!status.opening.isEmpty()) {
-    return status.player ? StateText::tr("Opening %1... Until then, %2 goes on.")
+    return status.player ? StateText::tr("Opening %1... Until then %2 continues.")
                                .arg(status.opening, status.address)
                          : StateText::tr("Opening %1...").arg(status.opening);
   }
   if (!status.player) {
-    return StateText::tr("Nothing is open. Choose a source, or drop a recording here.");
+    return StateText::tr(
+        "No source is open. Choose one in the Source menu, or drop a recording here.");
   }
   if (!rebuilding) return playerSentence(status);
-  return playing(status)
-             ? StateText::tr("Rebuilding the model...")
-             : StateText::tr("The model is rebuilt with the next frame. ") + playerSentence(status);
+  return playing(status) ? StateText::tr("Rebuilding the model...")
+                         : StateText::tr("The model will be rebuilt with the next frame. ") +
+                               playerSentence(status);
 }
 
 }  // namespace boomwatch

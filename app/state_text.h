@@ -6,10 +6,10 @@
 
 namespace boomwatch {
 
-/// One or two words over the distance bar: is this now?
+/// One or two words over the distance bar: whether the picture is live.
 QString barCaption(const SourceStatus& status);
 
-/// A sentence about what is shown: live, a recording, paused (so not now), ended, being opened.
+/// A sentence about the source: live, a recording, paused (not live), ended, being opened.
 QString stateSentence(const SourceStatus& status, bool rebuilding);
 
 }  // namespace boomwatch

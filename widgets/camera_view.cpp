@@ -34,8 +34,9 @@ CameraView::CameraView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Camera"));
   setToolTip(
-      tr("Drag a box around the tool, or B, arrows and Enter: follow it.\nClick, or arrows and "
-         "Enter: the tool stays here.\nRight click or Escape: forget it."));
+      tr("To track the tool, drag a box around it, or press B, the arrow keys and Enter.\nTo set a "
+         "fixed tool point, click it, or press the arrow keys and Enter.\nTo remove the tool, "
+         "right-click or press Escape."));
 }
 
 void CameraView::setDisplay(const DisplayPtr& display) {

@@ -209,7 +209,7 @@ bool DistanceBar::nothingInRange() const {
 double DistanceBar::searchedRange() const { return searchReach(m_display->result->parameters); }
 
 QString DistanceBar::nothingWithin() const {
-  return tr("nothing within %1 m").arg(QLocale().toString(searchedRange(), 'g', 3));
+  return tr("no obstacle within %1 m").arg(QLocale().toString(searchedRange(), 'g', 3));
 }
 
 std::optional<double> DistanceBar::fill() const {
@@ -225,8 +225,7 @@ QString DistanceBar::numberText() const {
   const Nearest* found = nearest();
   if (!found) return QStringLiteral("\u2013");
   const double d = found->distance;
-  // Always as many figures, so that the number keeps its width. Cut, not rounded: never longer
-  // than it is.
+  // A fixed number of digits keeps the width. Rounded down: never more than the distance.
   const int digits = d < 10.0 ? 2 : d < 100.0 ? 1 : 0;
   const double unit = std::pow(10.0, -digits);
   return QLocale().toString(std::floor(d / unit + 1e-6) * unit, 'f', digits);
@@ -238,12 +237,12 @@ WarningLevel DistanceBar::level() const {
 }
 
 QString DistanceBar::leadText(const Result& result, const Nearest& nearest) {
-  if (nearest.unseen) return tr("to space never seen");
+  if (nearest.unseen) return tr("to unobserved space");
   const Watched* leading =
       result.leading < result.watched.size() ? &result.watched[result.leading] : nullptr;
   const bool isLoad = !leading || leading->object == WatchedObject::Load;
   return isLoad ? tr("to %1").arg(partText(nearest.part))
-                : tr("of the %1").arg(watchedText(*leading));
+                : tr("from the %1").arg(watchedText(*leading));
 }
 
 QString DistanceBar::hintText() const {
@@ -271,17 +270,18 @@ QString DistanceBar::hintText() const {
   }
   const bool ignored = result.parameters.clearance.unknownSpace == UnknownSpace::Ignore;
   if (const auto share = result.clearance.observedShare; share && !ignored) {
-    // Rounded down: everything was seen only when everything was seen.
+    // Rounded down: 100 % only when every cell was observed.
     const int percent = static_cast<int>(std::floor(*share * 100.0 + 1e-9));
-    lines << (percent >= 100 ? tr("all around it was seen")
-                             : tr("%1 % around it never seen: may be nearer").arg(100 - percent));
+    lines << (percent >= 100
+                  ? tr("observed all around it")
+                  : tr("%1 % around it unobserved: an obstacle may be nearer").arg(100 - percent));
   }
   lines << othersText(result);
   lines.removeAll({});
   return lines.join(QLatin1Char('\n'));
 }
 
-/// What does not lead, in one line: of the boom's segments the nearest.
+/// The other watched parts in one line; of the boom only its nearest segment.
 QString DistanceBar::othersText(const Result& result) {
   const auto distanceOf = [](const Watched& watched) {
     return watched.clearance.nearest ? watched.clearance.nearest->distance : HUGE_VAL;

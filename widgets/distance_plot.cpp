@@ -107,7 +107,7 @@ QString DistancePlot::textAt(const QPoint& place) const {
     lines << reasonTitle(moment.reason) + QStringLiteral(". ") + reasonText(moment.reason);
   } else {
     lines << (moment.distance ? tr("reported: %1").arg(metresText(*moment.distance))
-                              : tr("nothing in range"));
+                              : tr("no obstacle in range"));
   }
   if (moment.truth) lines << tr("truth: %1").arg(metresText(*moment.truth));
   return lines.join(QLatin1Char('\n'));

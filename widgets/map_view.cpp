@@ -145,7 +145,7 @@ QString MapView::readout(const QPoint& cell) const {
   }
   const auto& suppressed = m_display->result->suppressed;
   const bool small = std::binary_search(suppressed.begin(), suppressed.end(), k);
-  words << (small ? tr("too small to count") : cellText(state));
+  words << (small ? tr("ignored, too small") : cellText(state));
   return words.join(QStringLiteral("  "));
 }
 

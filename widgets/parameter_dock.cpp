@@ -25,20 +25,21 @@ std::filesystem::path toPath(const QString& file) {
   return std::filesystem::path(file.toStdU16String());
 }
 
-/// The core's warnings are English; here they are said in the user's language.
+/// A remark in the language of the window; the core's own message is English.
 QString remarkText(ParameterRemark remark) {
   switch (remark) {
     case ParameterRemark::NothingEnters:
       return ParameterDock::tr(
-          "At or above the highest probability a cell can reach, p_prior / (1 - p_post) or "
-          "log_odds_high: nothing enters the model.");
+          "No object enters the model: cells only reach p_prior / (1 - p_post), or log_odds_high. "
+          "Lower the threshold.");
     case ParameterRemark::NothingLeaves:
       return ParameterDock::tr(
-          "So low that a cell which is looked through stays occupied: nothing leaves the model.");
+          "No object leaves the model: a cell stays occupied even when the camera sees through it. "
+          "Raise the threshold.");
     case ParameterRemark::SearchTooShort:
       return ParameterDock::tr(
-          "The search ends before the caution distance: where it finds nothing there is no "
-          "distance, rather than clear.");
+          "The search ends before the caution distance. If it finds no obstacle, there is no "
+          "distance. Raise this value.");
   }
   return {};
 }
@@ -85,7 +86,7 @@ QWidget* ParameterDock::makeHeader() {
   };
   add(tr("Load..."), tr("Load a preset"), &ParameterDock::askForPreset);
   add(tr("Save..."), tr("Save these values as a preset"), &ParameterDock::askWhereToSave);
-  add(tr("Reset all"), tr("Every parameter back to its default"), &ParameterDock::resetAll);
+  add(tr("Reset all"), tr("Reset every parameter to its default"), &ParameterDock::resetAll);
   column->addWidget(m_search);
   column->addLayout(buttons);
   column->addWidget(m_message);
@@ -163,11 +164,11 @@ bool ParameterDock::check() {
     return true;
   } catch (const Error& error) {
     const QString text = QString::fromStdString(error.what());
-    setMessage(tr("Not in force until these agree: %1").arg(text));
+    setMessage(tr("Not applied until these agree: %1").arg(text));
     for (const Group& group : m_groups) {
       for (ParameterRow* row : group.rows) {
         const std::string quoted = "'" + std::string(row->info().key) + "'";
-        if (text.contains(QString::fromStdString(quoted))) row->setMessage(tr("Not in force"));
+        if (text.contains(QString::fromStdString(quoted))) row->setMessage(tr("Not applied"));
       }
     }
     return false;

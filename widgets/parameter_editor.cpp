@@ -18,9 +18,9 @@ QString fromView(std::string_view text) {
 }
 
 // Units that are words; the others are the same everywhere.
-[[maybe_unused]] constexpr const char* wordUnits[] = {QT_TRANSLATE_NOOP("Parameters", "cells"),
-                                                      QT_TRANSLATE_NOOP("Parameters", "points"),
-                                                      QT_TRANSLATE_NOOP("Parameters", "frames")};
+[[maybe_unused]] constexpr const char* wordUnits[] = {
+    QT_TRANSLATE_NOOP("Parameters", "cells"), QT_TRANSLATE_NOOP("Parameters", "points"),
+    QT_TRANSLATE_NOOP("Parameters", "frames"), QT_TRANSLATE_NOOP("Parameters", "pixels")};
 
 QString unitSuffix(const ParameterInfo& info) {
   return *info.unit ? QStringLiteral(" ") + parameterText(info.unit) : QString();
@@ -190,8 +190,9 @@ QString parameterHelp(const ParameterInfo& info) {
   if (std::holds_alternative<std::optional<double>>(kind)) {
     range = ParameterEditor::tr("off, or %1").arg(range);
   }
-  const QString help = parameterText(info.tooltip);
-  return ParameterEditor::tr("%1\n%2: %3").arg(help, fromView(info.key), range);
+  // As rich text, which a tooltip wraps; plain text would run off the screen.
+  return QStringLiteral("<p>%1</p><p>%2: %3</p>")
+      .arg(parameterText(info.tooltip).toHtmlEscaped(), fromView(info.key), range.toHtmlEscaped());
 }
 
 }  // namespace boomwatch

@@ -22,7 +22,7 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
   m_editor->setFixedWidth(editorWidth);
   m_reset->setIcon(QIcon(QStringLiteral(":/icons/reset.svg")));
   m_reset->setAutoRaise(true);
-  m_reset->setToolTip(tr("Back to the default"));
+  m_reset->setToolTip(tr("Reset to the default"));
   m_reset->setAccessibleName(tr("Reset %1").arg(label->text()));
   QSizePolicy keep = m_reset->sizePolicy();
   keep.setRetainSizeWhenHidden(true);

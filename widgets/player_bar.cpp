@@ -43,9 +43,9 @@ void PlayerBar::makeActions() {
     return action;
   };
   m_play = make(":/icons/play.svg", tr("Play"), Qt::Key_Space);
-  m_back = make(":/icons/step_back.svg", tr("One frame back"), Qt::Key_Comma);
-  m_forward = make(":/icons/step.svg", tr("One frame on"), Qt::Key_Period);
-  m_loop = make(":/icons/loop.svg", tr("Begin again at the end"), Qt::Key_L);
+  m_back = make(":/icons/step_back.svg", tr("Previous frame"), Qt::Key_Comma);
+  m_forward = make(":/icons/step.svg", tr("Next frame"), Qt::Key_Period);
+  m_loop = make(":/icons/loop.svg", tr("Loop"), Qt::Key_L);
   m_loop->setCheckable(true);
 }
 
@@ -55,7 +55,8 @@ void PlayerBar::layOut() {
     m_speed->addItem(tr("%1x").arg(locale().toString(speed)), speed);
   }
   m_speed->addItem(tr("fastest"), Player::unlimited);
-  m_speed->setToolTip(tr("Speed of a recording; fastest: as fast as frames can be processed"));
+  m_speed->setToolTip(
+      tr("Playback speed of a recording. fastest: as fast as frames can be processed."));
   m_speed->setAccessibleName(tr("Speed"));
   m_slider = new QSlider(Qt::Horizontal);
   m_slider->setMinimumWidth(120);

@@ -37,9 +37,9 @@ QString hintOf(SourceKind kind) {
     case SourceKind::Depth:
       return SourceDialog::tr("A folder with colour and depth pictures");
     case SourceKind::Map:
-      return SourceDialog::tr("A height or depth map: an ASCII grid, or a YAML file about one");
+      return SourceDialog::tr("A height or depth map: an ASCII grid, or its YAML file");
     case SourceKind::Camera:
-      return SourceDialog::tr("LEFT,RIGHT: device numbers or stream addresses, or one of both");
+      return SourceDialog::tr("LEFT,RIGHT: device numbers or addresses, or one for both");
   }
   return {};
 }
@@ -73,13 +73,13 @@ void SourceDialog::layOut() {
   place->addWidget(m_folder);
   place->addWidget(m_file);
   m_path->setMinimumWidth(pathWidth);
-  auto* placeLabel = new QLabel(tr("&Where"));
+  auto* placeLabel = new QLabel(tr("&Location"));
   placeLabel->setBuddy(m_path);
   form->addRow(placeLabel, place);
   auto* calibration = new QHBoxLayout;
   calibration->addWidget(m_calibration, 1);
   calibration->addWidget(m_calibrationFile);
-  m_calibration->setPlaceholderText(tr("the one that lies with the recording"));
+  m_calibration->setPlaceholderText(tr("found beside the recording"));
   auto* calibrationLabel = new QLabel(tr("C&alibration"));
   calibrationLabel->setBuddy(m_calibration);
   form->addRow(calibrationLabel, calibration);

@@ -42,7 +42,7 @@ void StateLine::showFault(const QString& text) {
 }
 
 void StateLine::showNotice(const QString& text) {
-  // What must be dismissed is not swept away by what passes.
+  // A notice that ends by itself must not replace a fault that the person has to dismiss.
   if (!m_notice.isEmpty() && !m_timer->isActive()) return;
   m_timer->start();
   setNotice(QStringLiteral("\u26A0 ") + text);

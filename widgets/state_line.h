@@ -9,9 +9,9 @@ class QToolButton;
 
 namespace boomwatch {
 
-/// One line under the controls, always there: what the picture is (live, a recording, paused,
-/// ended), and over it, for a while or until it is dismissed, what went wrong. Never changes its
-/// size; a text that is too long is cut off, and whole in the tool tip. GUI thread.
+/// One line under the controls. It shows the state of the source (live, a recording, paused,
+/// ended). A notice covers the state for some seconds, a fault until the person dismisses it. The
+/// size is fixed: a longer text is elided, and the tool tip shows it whole. GUI thread.
 class StateLine : public QWidget {
   Q_OBJECT
 

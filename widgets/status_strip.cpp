@@ -25,14 +25,14 @@ QString validityOf(const Result& result) {
   return StatusStrip::tr("\u2715 no distance: %1").arg(reasonTitle(clearance.reason));
 }
 
-/// What is wrong, what of the load this frame shows, and how much of the cloud was taken out.
+/// Reason, load fault, age of the load and share of masked points, one a line.
 QString validityDetail(const Result& result) {
   QStringList lines{reasonText(result.clearance.reason), loadFaultText(result.loadFault)};
   if (result.load && result.loadAge && *result.loadAge > 0.0) {
-    lines += StatusStrip::tr("Load last seen %1 s ago.").arg(number(*result.loadAge, 1));
+    lines += StatusStrip::tr("Load last detected %1 s ago.").arg(number(*result.loadAge, 1));
   }
   if (!result.scene.removed.empty()) {
-    lines += StatusStrip::tr("%1 % of the points were taken out with boom, tool and load.")
+    lines += StatusStrip::tr("%1 % of the points are masked as boom, tool and load.")
                  .arg(number(100.0 * result.removedShare, 1));
   }
   lines.removeAll({});
@@ -43,13 +43,13 @@ QString validityDetail(const Result& result) {
 
 StatusStrip::StatusStrip(QWidget* parent) : QStatusBar(parent) {
   setSizeGripEnabled(false);
-  setMinimumWidth(1);  // its fields must not keep the window from being narrower
+  setMinimumWidth(1);  // the window may be narrower than all fields together
   m_rate = addField(tr("%1 fps").arg(number(9999.9, 1)));
-  m_latency = addField(tr("%1 ms frame to bar").arg(number(99999, 0)));
-  m_dropped = addField(tr("not shown %1, lost %2").arg(99999).arg(99999));
+  m_latency = addField(tr("latency %1 ms").arg(number(99999, 0)));
+  m_dropped = addField(tr("skipped %1, dropped %2").arg(99999).arg(99999));
   m_dropped->setToolTip(
-      tr("Frames that were processed but replaced before they could be shown, and frames of a "
-         "live source that nobody read"));
+      tr("Skipped frames were processed but replaced before the window showed them. Dropped frames "
+         "came from a live source and were not read."));
   m_stageFields = new QWidget;
   m_stageRow = new QHBoxLayout(m_stageFields);
   m_stageRow->setContentsMargins(0, 0, 0, 0);
@@ -57,7 +57,7 @@ StatusStrip::StatusStrip(QWidget* parent) : QStatusBar(parent) {
   m_validity = new QLabel;
   addPermanentWidget(m_validity);
   setRate(0.0);
-  m_latency->setText(tr("%1 ms frame to bar").arg(QStringLiteral("\u2013")));
+  m_latency->setText(tr("latency %1 ms").arg(QStringLiteral("\u2013")));
   setDropped(0, 0);
 }
 
@@ -70,14 +70,14 @@ QLabel* StatusStrip::addField(const QString& widest) {
 QLabel* StatusStrip::stageField(std::string_view stage) {
   if (const auto found = m_stages.find(stage); found != m_stages.end()) return found->second;
   QLabel* label = fixedField(tr("%1 %2").arg(stageText(stage), number(99999, 0)));
-  label->setToolTip(tr("Milliseconds that this stage took for the last frame"));
+  label->setToolTip(tr("Time of this stage for the last frame, in milliseconds"));
   m_stageRow->addWidget(label);
   m_stagesWidth += label->width() + m_stageRow->spacing();
   fitStages();
   return m_stages.emplace(std::string(stage), label).first->second;
 }
 
-/// Whether they are shown depends on the window alone, not on what the other fields say.
+/// Depends on the width of the window only, so that the fields do not come and go with the values.
 void StatusStrip::fitStages() {
   const int validity = fontMetrics().averageCharWidth() * 36;
   const int others = m_rate->width() + m_latency->width() + m_dropped->width() + validity;
@@ -108,11 +108,11 @@ void StatusStrip::setRate(double framesPerSecond) {
 }
 
 void StatusStrip::setLatency(double milliseconds) {
-  m_latency->setText(tr("%1 ms frame to bar").arg(number(milliseconds, 0)));
+  m_latency->setText(tr("latency %1 ms").arg(number(milliseconds, 0)));
 }
 
 void StatusStrip::setDropped(std::size_t skipped, std::size_t lost) {
-  m_dropped->setText(tr("not shown %1, lost %2").arg(skipped).arg(lost));
+  m_dropped->setText(tr("skipped %1, dropped %2").arg(skipped).arg(lost));
 }
 
 QString StatusStrip::validityText() const { return m_validity->text(); }

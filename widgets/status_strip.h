@@ -11,21 +11,21 @@ class QLabel;
 
 namespace boomwatch {
 
-/// The line of figures at the foot of the window. Every field keeps its width; where all have no
-/// room the stages' go. GUI thread.
+/// The line of figures at the foot of the window. Every field has a fixed width. In a narrow window
+/// the fields of the stages are hidden. GUI thread.
 class StatusStrip : public QStatusBar {
   Q_OBJECT
 
  public:
   explicit StatusStrip(QWidget* parent = nullptr);
 
-  /// Latency of each stage, and whether there is a distance.
+  /// Shows the time of each stage, and whether there is a distance.
   void showResult(const Result& result);
-  /// Frames a second; 0: not known, or nothing moves.
+  /// Frames a second; 0: unknown, or the source does not play.
   void setRate(double framesPerSecond);
-  /// From a frame's being read to its distance being on the bar.
+  /// Milliseconds from reading a frame to showing its distance on the bar.
   void setLatency(double milliseconds);
-  /// Since the source was opened: processed but never shown, and never seen by the program.
+  /// Frames since the source was opened. `skipped`: processed, not shown. `lost`: never read.
   void setDropped(std::size_t skipped, std::size_t lost);
 
   QString validityText() const;

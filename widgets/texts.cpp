@@ -17,7 +17,7 @@ QString reasonTitle(Reason reason) {
     case Reason::None:
       return {};
     case Reason::NoFrame:
-      return Texts::tr("No picture arrives");
+      return Texts::tr("No frames arrive");
     case Reason::UnreadableFrame:
       return Texts::tr("Unreadable frame");
     case Reason::IdenticalFrames:
@@ -29,21 +29,21 @@ QString reasonTitle(Reason reason) {
     case Reason::ToolLost:
       return Texts::tr("Tool lost");
     case Reason::NoTool:
-      return Texts::tr("No tool");
+      return Texts::tr("No tool selected");
     case Reason::NoLoad:
       return Texts::tr("No load");
     case Reason::LoadNotSeen:
-      return Texts::tr("Load not seen");
+      return Texts::tr("Load not detected");
     case Reason::LoadOutside:
       return Texts::tr("Load out of bounds");
     case Reason::ToolNotSeen:
-      return Texts::tr("Tool not seen");
+      return Texts::tr("Tool not found");
     case Reason::NoModel:
-      return Texts::tr("Model is building");
+      return Texts::tr("Building the model");
     case Reason::SearchTooShort:
       return Texts::tr("Search too short");
     case Reason::NothingObserved:
-      return Texts::tr("Nothing seen here");
+      return Texts::tr("Unobserved");
   }
   return {};
 }
@@ -54,42 +54,48 @@ QString reasonText(Reason reason) {
       return {};
     case Reason::NoFrame:
       return Texts::tr(
-          "Nothing has arrived from the source. Check camera and cable, or press play.");
+          "The source delivers no frames. Check the camera and its cable, or press Play.");
     case Reason::UnreadableFrame:
       return Texts::tr("The source could not read this frame. Check the recording or the camera.");
     case Reason::IdenticalFrames:
-      return Texts::tr("The source repeats one picture. Check the camera, then reopen it.");
+      return Texts::tr(
+          "The source repeats the same picture. Check the camera, then open it again.");
     case Reason::FewDepthPixels:
       return Texts::tr("Too few pixels have a depth. Check light, lenses and calibration.");
     case Reason::SceneMoves:
-      return Texts::tr("The picture moves as a whole. Hold the camera still and wait.");
+      return Texts::tr("The whole picture moves, so the camera moves. Keep it still and wait.");
     case Reason::ToolLost:
       return Texts::tr(
-          "Boom and load are not taken out of the cloud. Bring the tool into sight, or draw its "
-          "box anew.");
+          "Boom and load cannot be masked without the tool. Bring the tool into sight, or draw its "
+          "box again.");
     case Reason::NoTool:
       return Texts::tr(
-          "Nobody has said where the tool is, and the load is found at it. Draw a box around the "
-          "tool in the camera picture.");
+          "The load is found from the tool. Draw a box around the tool in the camera view.");
     case Reason::NoLoad:
       return Texts::tr(
-          "Nobody has said where the load is. Draw a box around the tool that holds it, or set it "
-          "among the parameters.");
+          "The position of the load is not set. Draw a box around the tool that holds it, or enter "
+          "the load in the parameters.");
     case Reason::LoadNotSeen:
-      return Texts::tr("The load is not seen at the tool. Turn the tool, or give its sizes.");
+      return Texts::tr(
+          "No load was detected at the tool. Turn the load into view, or enter its sizes and lock "
+          "them.");
     case Reason::LoadOutside:
-      return Texts::tr("The load is not inside the bounds. Move it or widen the bounds.");
+      return Texts::tr("The load is outside the bounds. Move it or widen the bounds.");
     case Reason::ToolNotSeen:
       return Texts::tr(
-          "Tool or boom are watched, but not found in the cloud. Track the tool, or watch the load "
-          "alone.");
+          "Tool or boom is watched but was not found in the cloud. Track the tool, or watch only "
+          "the load.");
     case Reason::NoModel:
-      return Texts::tr("Too few frames so far. Wait a moment; if it stays so, lower probtresh.");
+      return Texts::tr(
+          "The model has too few frames so far. Wait a moment. If this message stays, lower "
+          "probtresh.");
     case Reason::SearchTooShort:
       return Texts::tr(
-          "Nothing was found, but the search ends before caution begins. Raise radius or range.");
+          "No obstacle was found, but the search ends before the caution distance. Raise the ray "
+          "length or the search range.");
     case Reason::NothingObserved:
-      return Texts::tr("Nothing around the load was ever seen. Turn the camera towards it.");
+      return Texts::tr(
+          "Too little of the space around the load was observed. Turn the camera towards it.");
   }
   return {};
 }
@@ -99,27 +105,27 @@ QString loadFaultText(LoadFault fault) {
     case LoadFault::None:
       return {};
     case LoadFault::NoToolPoint:
-      return Texts::tr("It is not known where the tool is.");
+      return Texts::tr("The position of the tool is unknown.");
     case LoadFault::NothingAtTool:
-      return Texts::tr("Nothing was measured at the tool.");
+      return Texts::tr("No point was measured at the tool.");
     case LoadFault::OnSurface:
-      return Texts::tr("What is at the tool is the ground or a wall.");
+      return Texts::tr("The tool point lies on the ground or a wall.");
     case LoadFault::NoBody:
-      return Texts::tr("Nothing reaches out of the tool: it is empty.");
+      return Texts::tr("The tool is empty: no load extends from it.");
     case LoadFault::EndOn:
-      return Texts::tr("The load points at the camera.");
+      return Texts::tr("The load points at the camera, which cannot see its length.");
     case LoadFault::EndHidden:
-      return Texts::tr("An end of the load is hidden.");
+      return Texts::tr("An end of the load is occluded or outside the picture.");
     case LoadFault::DepthHidden:
-      return Texts::tr("Only one face of the load is seen.");
+      return Texts::tr("Only one face of the load is visible.");
     case LoadFault::FewPoints:
-      return Texts::tr("Too few points on the load.");
+      return Texts::tr("Too few points were measured on the load.");
     case LoadFault::PoorFit:
-      return Texts::tr("What is at the tool does not have the shape of a load.");
+      return Texts::tr("The body at the tool does not have the shape of a load.");
     case LoadFault::TooLarge:
-      return Texts::tr("What is at the tool is too large for a load.");
+      return Texts::tr("The body at the tool is too large for a load.");
     case LoadFault::OutsideBounds:
-      return Texts::tr("The load is not inside the bounds.");
+      return Texts::tr("The load is outside the bounds.");
   }
   return {};
 }
@@ -184,7 +190,7 @@ QString watchedDistance(const Watched& watched) {
     case ClearanceState::Measured:
       return Texts::tr("%1: %2").arg(name, metresText(watched.clearance.nearest->distance));
     case ClearanceState::NothingInRange:
-      return Texts::tr("%1: nothing in range").arg(name);
+      return Texts::tr("%1: no obstacle in range").arg(name);
     case ClearanceState::Unknown:
       return Texts::tr("%1: %2").arg(name, reasonTitle(watched.clearance.reason));
   }
@@ -194,9 +200,9 @@ QString watchedDistance(const Watched& watched) {
 QString cellText(CellState state) {
   switch (state) {
     case CellState::NeverObserved:
-      return Texts::tr("never observed");
+      return Texts::tr("unobserved");
     case CellState::ObservedFree:
-      return Texts::tr("observed free");
+      return Texts::tr("observed, free");
     case CellState::Occupied:
       return Texts::tr("occupied");
   }

@@ -11,7 +11,7 @@
 
 namespace boomwatch {
 
-/// Words for what core computes; translated. GUI thread.
+/// Translated texts for the values that core computes. GUI thread.
 
 /// Two or three words: "No frames". Empty for Reason::None.
 QString reasonTitle(Reason reason);
@@ -20,7 +20,7 @@ QString reasonText(Reason reason);
 /// A sentence. Empty for LoadFault::None.
 QString loadFaultText(LoadFault fault);
 QString levelText(WarningLevel level);
-/// A StageTiming's name; one that is not known is shown as it is.
+/// The name of a StageTiming; an unknown name stays as it is.
 QString stageText(std::string_view stage);
 QString partText(LoadPart part);
 QString cellText(CellState state);

@@ -7,17 +7,17 @@
 
 namespace boomwatch {
 
-/// Words for what the tracker does; translated. GUI thread.
+/// Translated texts for the state of the tracker. GUI thread.
 
-/// As the parameter spells it, and what it is good for.
+/// The choice as the parameter spells it, and what the tracker can do.
 QString trackerText(TrackerKind kind);
-/// A few words beside the tool's box: "Tool 83 %", "Tool found again 83 %". Empty without a box.
+/// A few words beside the tool's box: "Tool 83 %", "Tool re-detected 83 %". Empty without a box.
 QString toolLabel(const ToolTrack& tool);
-/// A sentence: where the tracker stands, and what that means for the distance.
+/// A sentence: the state of the tracker, and what it means for the distance.
 QString toolSentence(const ToolTrack& tool, const TrackingParameters& parameters);
-/// What becomes of what the tracker sees; says why when it is suspended.
+/// Whether the tracker learns; gives the reason when learning is suspended.
 QString learningSentence(LearningState state);
-/// How much a model knows: "views of the tool 12, of other things 40".
+/// The size of a model: "12 views of the tool, 40 of the background".
 QString modelText(const ToolModel& model);
 
 }  // namespace boomwatch

@@ -16,9 +16,9 @@
 namespace boomwatch {
 namespace {
 
-QString modelFilter() { return TrackingDock::tr("Models of a tool (*.tool);;All files (*)"); }
+QString modelFilter() { return TrackingDock::tr("Tool models (*.tool);;All files (*)"); }
 
-/// As high as `lines` lines, so that nothing moves when the words change.
+/// A label of fixed height, so that the dock does not move when its text changes.
 QLabel* makeLines(int lines) {
   auto* label = new QLabel;
   label->setWordWrap(true);
@@ -55,7 +55,8 @@ QWidget* TrackingDock::makeChoice() {
   layout->setContentsMargins(0, 0, 0, 0);
   m_tracker = new QComboBox;
   m_tracker->setAccessibleName(tr("Tracker"));
-  m_tracker->setToolTip(tr("What follows the tool; a new one begins where the old one saw it"));
+  m_tracker->setToolTip(
+      tr("Method that tracks the tool. A new tracker starts where the old one saw the tool."));
   m_tracker->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_tracker->setMinimumContentsLength(12);
   for (const TrackerKind kind : {TrackerKind::Tld, TrackerKind::Cmt, TrackerKind::Klt,
@@ -63,7 +64,7 @@ QWidget* TrackingDock::makeChoice() {
     m_tracker->addItem(trackerText(kind), static_cast<int>(kind));
   }
   m_learn = new QCheckBox(tr("Learn"));
-  m_learn->setToolTip(tr("tld: go on learning what the tool looks like"));
+  m_learn->setToolTip(tr("tld: learn new views of the tool while tracking."));
   layout->addWidget(m_tracker, 1);
   layout->addWidget(m_learn);
   connect(m_tracker, &QComboBox::activated, this, [this] {
@@ -83,17 +84,17 @@ QWidget* TrackingDock::makeButtons() {
     grid->addWidget(button, row, column);
     return button;
   };
-  QPushButton* draw =
-      add(0, 0, tr("Draw box"),
-          tr("Begin a box in the camera picture: arrows size it, Enter starts, Escape gives up. Or "
-             "drag one with the mouse."));
-  m_again = add(0, 1, tr("Begin again"),
-                tr("Begin anew where the tool was last seen; what was learnt since is forgotten"));
-  m_forget = add(0, 2, tr("Forget"), tr("Nothing follows the tool any more"));
+  QPushButton* draw = add(0, 0, tr("Draw box"),
+                          tr("Start a box in the camera view: the arrow keys size it, Enter starts "
+                             "tracking, Escape cancels. Or drag a box with the mouse."));
+  m_again = add(
+      0, 1, tr("Restart"),
+      tr("Restart the tracker where it last saw the tool, without the views learnt meanwhile."));
+  m_forget = add(0, 2, tr("Remove"), tr("Remove the tool and stop tracking."));
   m_load = add(1, 0, tr("Load..."),
-               tr("Find the tool by a saved model; several files are merged. Only tld can."));
-  m_merge = add(1, 1, tr("Merge..."), tr("Add saved models to what is known by now"));
-  m_save = add(1, 2, tr("Save..."), tr("Save what is known by now"));
+               tr("Find the tool with a saved model. Several files are merged. Only for tld."));
+  m_merge = add(1, 1, tr("Merge..."), tr("Merge saved models into the current one."));
+  m_save = add(1, 2, tr("Save..."), tr("Save the current model."));
   connect(draw, &QPushButton::clicked, this, &TrackingDock::boxWanted);
   connect(m_again, &QPushButton::clicked, this, &TrackingDock::beginAgainWanted);
   connect(m_forget, &QPushButton::clicked, this, &TrackingDock::forgetWanted);
@@ -114,8 +115,7 @@ QWidget* TrackingDock::makeState() {
   m_patches->setFixedHeight(2 * patchSide + 2);
   m_patches->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   m_patches->setAccessibleName(tr("Learnt views"));
-  m_patches->setToolTip(
-      tr("What was learnt last: above, views of the tool; below, of what is not the tool"));
+  m_patches->setToolTip(tr("The latest learnt views: above of the tool, below of the background."));
   for (QLabel* label : {m_state, m_learning, m_model, m_patches}) column->addWidget(label);
   return state;
 }
@@ -151,8 +151,7 @@ QString TrackingDock::modelText() const { return m_model->text(); }
 
 void TrackingDock::askWhatToLoad(bool merge) {
   const QStringList files = QFileDialog::getOpenFileNames(
-      this, merge ? tr("Merge models of the tool") : tr("Load a model of the tool"), {},
-      modelFilter());
+      this, merge ? tr("Merge tool models") : tr("Load a tool model"), {}, modelFilter());
   if (files.isEmpty()) return;
   if (merge) {
     emit mergeWanted(files);
@@ -163,7 +162,7 @@ void TrackingDock::askWhatToLoad(bool merge) {
 
 void TrackingDock::askWhereToSave() {
   const QString suffix = QStringLiteral("tool");
-  const QString file = askSaveName(this, tr("Save the model of the tool"),
+  const QString file = askSaveName(this, tr("Save the tool model"),
                                    QStringLiteral("boomwatch.") + suffix, modelFilter(), suffix);
   if (!file.isEmpty()) emit saveWanted(file);
 }

@@ -12,19 +12,19 @@ class QPushButton;
 
 namespace boomwatch {
 
-/// What follows the tool: which tracker, whether it learns, where it begins, its model's files, and
-/// how it is doing. Asks for everything, does nothing itself. GUI thread.
+/// The choice of tracker, its learning, its box, the files of its model, and its state. Emits
+/// requests only; the worker carries them out. GUI thread.
 class TrackingDock : public QDockWidget {
   Q_OBJECT
 
  public:
   explicit TrackingDock(QWidget* parent = nullptr);
 
-  /// The values in force or about to be; emits nothing.
+  /// Shows the current settings; emits no signal.
   void setParameters(const Parameters& parameters);
   void setDisplay(const DisplayPtr& display);
 
-  /// What stands below the buttons, line by line.
+  /// The lines below the buttons.
   QString stateText() const;
   QString learningText() const;
   QString modelText() const;
@@ -36,7 +36,7 @@ class TrackingDock : public QDockWidget {
   void beginAgainWanted();
   void forgetWanted();
   void loadWanted(const QStringList& files);
-  /// As loadWanted, but what is known by now is kept as well.
+  /// As loadWanted, but merged with the current model.
   void mergeWanted(const QStringList& files);
   void saveWanted(const QString& file);
 

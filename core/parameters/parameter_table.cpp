@@ -9,9 +9,9 @@ namespace {
 using namespace table_row;
 
 constexpr auto table = [] {
-  std::array<ParameterInfo, modelRows.size() + sensingRows.size()> all{};
-  std::copy(sensingRows.begin(), sensingRows.end(),
-            std::copy(modelRows.begin(), modelRows.end(), all.begin()));
+  std::array<ParameterInfo, environmentRows.size() + loadAndStereoRows.size()> all{};
+  std::copy(loadAndStereoRows.begin(), loadAndStereoRows.end(),
+            std::copy(environmentRows.begin(), environmentRows.end(), all.begin()));
   return all;
 }();
 

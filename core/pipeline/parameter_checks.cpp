@@ -26,7 +26,7 @@ void requireOrder(const char* lowKey, double low, const char* highKey, double hi
 }
 
 void requireModelFits(const Parameters& p) {
-  // Not by GridGeometry: its whole numbers end where these need not.
+  // In doubles: the integers of GridGeometry can overflow here.
   const auto cells = [&](double low, double high) {
     return std::floor((high - low) / p.model.resolution);
   };
@@ -67,7 +67,7 @@ void requireRaysForward(const Parameters& p) {
   }
   if (p.clearance.method == ClearanceMethod::Rays) {
     throw Error("parameters 'model_projection' and 'clearance_method'",
-                "the search rays lie in the plane of a parallel model",
+                "search rays need a parallel model",
                 "Set clearance_method to exact, or model_projection to parallel.");
   }
 }
@@ -82,27 +82,30 @@ void requireSolidIsExact(const ClearanceParameters& clearance) {
   if (clearance.unknownSpace != UnknownSpace::Solid) return;
   if (clearance.method == ClearanceMethod::Exact) return;
   throw Error("parameters 'unknown_space' and 'clearance_method'",
-              "search rays only meet surfaces, not unseen space",
+              "search rays do not find unobserved space",
               "Set clearance_method to exact, or unknown_space to show.");
 }
 
-/// Outside the bounds every point would count as seen through, and what they show as free.
+/// Outside the bounds the model would take every point for one that the camera sees through.
 void requireReprojectionInside(const Parameters& p) {
   const auto& z = p.filter.zReprojection;
   if (!z || (*z >= p.bounds.zMin && *z < p.bounds.zMax)) return;
   throw Error("parameter 'z_reprojection'",
               format(*z) + " m is not between z_min (" + format(p.bounds.zMin) + ") and z_max (" +
                   format(p.bounds.zMax) + ")",
-              "Give a depth inside the bounds, or off.");
+              "Set a depth inside the bounds, or off.");
 }
 
 void requireMatcherSettings(const StereoParameters& stereo) {
   constexpr int maxOfSgbm = 15;
   if (stereo.disparities % 16 != 0) {
-    throw Error("parameter 'stereo_disparities'", "not a multiple of 16", "Round it to one.");
+    throw Error("parameter 'stereo_disparities'",
+                std::to_string(stereo.disparities) + " is not a multiple of 16",
+                "Set a multiple of 16.");
   }
   if (stereo.blockSize % 2 == 0) {
-    throw Error("parameter 'stereo_block_size'", "not odd", "Add one.");
+    throw Error("parameter 'stereo_block_size'", std::to_string(stereo.blockSize) + " is not odd",
+                "Set an odd number.");
   }
   if (stereo.matcher == StereoMatcherKind::Bm && stereo.blockSize < 5) {
     throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
@@ -135,23 +138,24 @@ std::vector<ParameterWarning> warningsFor(const Parameters& p) {
   if (!framesToEnter(p.model)) {
     const bool odds = p.model.update == ModelUpdate::LogOdds;
     warnings.push_back({ParameterRemark::NothingEnters, "probtresh",
-                        std::string("probtresh is at or above ") +
+                        std::string("probtresh is not below ") +
                             (odds ? "log_odds_high" : "p_prior / (1 - p_post)") +
-                            ", the highest probability a cell can reach: nothing enters the "
-                            "model"});
+                            ", the maximum probability of a cell: no object enters the model. "
+                            "Lower probtresh"});
   }
   if (!letsGo(p.model)) {
     warnings.push_back({ParameterRemark::NothingLeaves, "probtresh",
-                        "probtresh is so low that a cell which is looked through stays occupied: "
-                        "what has entered the model never leaves"});
+                        "probtresh is so low that a cell stays occupied even when the camera sees "
+                        "through it: no object leaves the model. Raise probtresh"});
   }
-  // "Nothing in range" is shown as clear, so it has to reach as far as caution begins.
+  // The window shows "nothing in range" as clear, so the search must reach the caution distance.
   if (searchIsShort(p)) {
     const bool rays = p.clearance.method == ClearanceMethod::Rays;
     warnings.push_back({ParameterRemark::SearchTooShort, rays ? "radius" : "range",
                         "the search ends at " + format(searchReach(p)) +
                             " m, before caution_distance (" + format(p.warning.cautionDistance) +
-                            " m): where it finds nothing there is no distance, rather than clear"});
+                            " m): if it finds no obstacle, there is no distance. Raise " +
+                            (rays ? "radius" : "range")});
   }
   return warnings;
 }

@@ -199,7 +199,7 @@ void TestHeadless::warnsOfAProbtreshThatLetsNothingThrough() {
   const Run result =
       run({"--headless", "--source", "demo:floor", "--frames", "1", "--set", "probtresh=0.67"});
   QCOMPARE(result.exitCode, 0);
-  QVERIFY2(result.errors.contains("nothing enters the model"), result.errors);
+  QVERIFY2(result.errors.contains("no object enters the model"), result.errors);
 }
 
 void TestHeadless::savesTheWholeWindow() {

@@ -118,7 +118,7 @@ class TestMainWindow : public QObject {
     QVERIFY(window.panes().status->validityText().contains("valid"));
     worker.command(PlayCommand{});
     QTRY_COMPARE(window.panes().barCaption->text(), QStringLiteral("END"));
-    QVERIFY(window.panes().state->text().contains("not what is there now"));
+    QVERIFY(window.panes().state->text().contains("not live"));
   }
 
   void anotherSourceAndAnotherPlaceClearTheHistory() {
@@ -148,7 +148,7 @@ class TestMainWindow : public QObject {
     QVERIFY(window.panes().state->text().contains("the folder is empty"));
     QCOMPARE(faults[0][0].toString(), QStringLiteral("Not opened: the folder is empty"));
     window.panes().state->dismiss();
-    QVERIFY(window.panes().state->text().contains("Nothing is open"));
+    QVERIFY(window.panes().state->text().contains("No source is open"));
   }
 
   void aChangedParameterReachesTheNextFrameAndTheRebuildIsSaid() {

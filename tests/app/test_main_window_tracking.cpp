@@ -99,10 +99,10 @@ class TestMainWindowTracking : public QObject {
     QTest::mouseRelease(camera, Qt::LeftButton, {}, at(0.7, 0.75));
     TrackingDock* dock = window.panes().tracking;
     QTRY_VERIFY2(dock->stateText().startsWith("Tool tracked"), qPrintable(dock->stateText()));
-    QVERIFY(dock->learningText().contains("learns nothing"));
-    click(window, "Begin again");
+    QVERIFY(dock->learningText().contains("does not learn"));
+    click(window, "Restart");
     QTRY_VERIFY(dock->stateText().startsWith("Tool tracked"));
-    click(window, "Forget");
+    click(window, "Remove");
     QTRY_VERIFY(dock->stateText().startsWith("No tool"));
   }
 
@@ -136,7 +136,7 @@ class TestMainWindowTracking : public QObject {
     result->tool.state = TrackState::Lost;
     result->tool.age = 1.2;
     window.showDisplay(makeDisplay(result, {}));
-    QVERIFY(window.panes().bar->hintText().contains("not taken out of the cloud"));
+    QVERIFY(window.panes().bar->hintText().contains("cannot be masked"));
     QVERIFY(window.panes().tracking->stateText().contains("Tool lost for 1.2 s"));
   }
 };

@@ -67,8 +67,8 @@ class TestTranslation : public QObject {
     MainWindow window({}, nullptr);
     QCOMPARE(window.panes().docks[1]->windowTitle(), QStringLiteral("Wahrscheinlichkeitskarte"));
     QCOMPARE(window.panes().parameters->windowTitle(), QStringLiteral("Parameter"));
-    QVERIFY(window.panes().state->text().startsWith("Nichts ist offen"));
-    QCOMPARE(barCaption({}), QStringLiteral("NICHTS OFFEN"));
+    QVERIFY(window.panes().state->text().startsWith("Keine Quelle ist offen"));
+    QCOMPARE(barCaption({}), QStringLiteral("KEINE QUELLE"));
     QCOMPARE(window.menus().resetLayout->text(), QStringLiteral("An&ordnung zurücksetzen"));
   }
 };

@@ -145,7 +145,7 @@ void TestDistanceBar::nothingInRangeNamesTheRange() {
   DistanceBar bar;
   bar.setDisplay(makeDisplay(result, {}));
   QCOMPARE(bar.numberText(), QString("> 8"));
-  QVERIFY(bar.hintText().contains("nothing within 8 m"));
+  QVERIFY(bar.hintText().contains("no obstacle within 8 m"));
   QCOMPARE(*bar.fill(), 0.0);
 }
 
@@ -171,7 +171,7 @@ void TestDistanceBar::whatWasNeverSeenIsSaid() {
   result = measured(1.0);
   result->clearance.observedShare = 1.0;
   bar.setDisplay(makeDisplay(result, {}));
-  QVERIFY(!bar.hintText().contains("never seen"));
+  QVERIFY(!bar.hintText().contains("unobserved"));
 }
 
 void TestDistanceBar::everythingThatIsWatchedIsListed() {

@@ -120,7 +120,7 @@ class TestDistancePlot : public QObject {
     for (double stamp = 0.0; stamp < 60.0; stamp += 0.05) plot.setDisplay(at(stamp, {}));
     QVERIFY(plot.figure().gaps.empty());
     QVERIFY(!plot.figure().series[0].samples[0].y);
-    QVERIFY(plot.textAt(middleOf(plot)).contains("nothing in range"));
+    QVERIFY(plot.textAt(middleOf(plot)).contains("no obstacle in range"));
   }
 
   void windingTheSourceBeginsAnew() {

@@ -77,8 +77,8 @@ void TestMapView::theReadoutGivesMetresAndProbability() {
   ShownMap shown(MapKind::Environment);
   // Cell 32, 7: x = -2 + 32.5 * 0.1, y = -1 + 7.5 * 0.1, z = 94 * 10 / 255.
   QCOMPARE(shown.map.readout({32, 7}), QString("x 1.25 m  y -0.25 m  z 3.69 m  P 0.62  occupied"));
-  QCOMPARE(shown.map.readout({10, 10}), QString("x -0.95 m  y 0.05 m  P 0.10  observed free"));
-  QCOMPARE(shown.map.readout({0, 0}), QString("x -1.95 m  y -0.95 m  never observed"));
+  QCOMPARE(shown.map.readout({10, 10}), QString("x -0.95 m  y 0.05 m  P 0.10  observed, free"));
+  QCOMPARE(shown.map.readout({0, 0}), QString("x -1.95 m  y -0.95 m  unobserved"));
   QVERIFY(shown.map.readout({40, 0}).isEmpty());
   QVERIFY(shown.map.readout({0, -1}).isEmpty());
 }

@@ -156,7 +156,7 @@ class TestParameterDock : public QObject {
     };
     QVERIFY(found("PROBTRESH").contains("probtresh"));
     QVERIFY(found("stereo_block").contains("stereo_block_size"));
-    QVERIFY(found("P_limit").contains("probtresh"));
+    QVERIFY(found("Probability threshold").contains("probtresh"));
     QVERIFY(found("nothing is called this").isEmpty());
     QCOMPARE(static_cast<std::size_t>(found("").size()), parameterTable().size());
   }

@@ -98,8 +98,8 @@ void TestTrackingDock::asksForWhatTheButtonsSay() {
   QSignalSpy again(&dock, &TrackingDock::beginAgainWanted);
   QSignalSpy forget(&dock, &TrackingDock::forgetWanted);
   button(dock, "Draw box")->click();
-  button(dock, "Begin again")->click();
-  button(dock, "Forget")->click();
+  button(dock, "Restart")->click();
+  button(dock, "Remove")->click();
   QCOMPARE(box.count(), 1);
   QCOMPARE(again.count(), 1);
   QCOMPARE(forget.count(), 1);
@@ -107,20 +107,20 @@ void TestTrackingDock::asksForWhatTheButtonsSay() {
 
 void TestTrackingDock::onlyWhatCanBeDoneIsEnabled() {
   TrackingDock dock;
-  for (const char* text : {"Begin again", "Forget", "Merge...", "Save..."}) {
+  for (const char* text : {"Restart", "Remove", "Merge...", "Save..."}) {
     QVERIFY2(!button(dock, text)->isEnabled(), text);
   }
   QVERIFY(button(dock, "Load...")->isEnabled());
   ToolTrack tool = tracked();
   tool.model = model(3, 4);
   dock.setDisplay(display(tool));
-  for (const char* text : {"Begin again", "Forget", "Merge...", "Save..."}) {
+  for (const char* text : {"Restart", "Remove", "Merge...", "Save..."}) {
     QVERIFY2(button(dock, text)->isEnabled(), text);
   }
   ToolTrack click;
   click.pixel = cv::Point(3, 4);
   dock.setDisplay(display(click));
-  QVERIFY(button(dock, "Forget")->isEnabled() && !button(dock, "Save...")->isEnabled());
+  QVERIFY(button(dock, "Remove")->isEnabled() && !button(dock, "Save...")->isEnabled());
 }
 
 void TestTrackingDock::saysWhereTheTrackerStands_data() {
@@ -135,14 +135,16 @@ void TestTrackingDock::saysWhereTheTrackerStands_data() {
   };
   row("idle", TrackState::Idle, false, false, -1, "draw a box");
   row("tracked", TrackState::Tracked, true, true, 0, "tracked, confidence 83 %");
-  row("found", TrackState::Refound, true, true, 0, "found again, confidence 83 %");
-  row("unseen", TrackState::Lost, false, true, 0.3, "not seen for 0.3 s: taken to go on");
-  row("without depth", TrackState::Tracked, true, true, 0.3, "not its depth for 0.3 s: taken");
+  row("found", TrackState::Refound, true, true, 0, "re-detected, confidence 83 %");
+  row("unseen", TrackState::Lost, false, true, 0.3,
+      "out of sight for 0.3 s: its position is extrapolated");
+  row("without depth", TrackState::Tracked, true, true, 0.3,
+      "without depth for 0.3 s: its position is extrapolated");
   row("lost", TrackState::Lost, false, false, 1.2,
-      "lost for 1.2 s: boom and load are no longer taken out of the cloud");
+      "lost for 1.2 s: boom and load cannot be masked");
   row("never found", TrackState::Lost, false, false, -1, "not found yet");
-  row("never measured", TrackState::Tracked, true, false, -1, "not its depth: boom");
-  row("long without depth", TrackState::Tracked, true, false, 2.0, "not its depth for 2.0 s: boom");
+  row("never measured", TrackState::Tracked, true, false, -1, "without depth: boom");
+  row("long without depth", TrackState::Tracked, true, false, 2.0, "without depth for 2.0 s: boom");
 }
 
 void TestTrackingDock::saysWhereTheTrackerStands() {
@@ -168,26 +170,27 @@ void TestTrackingDock::saysWhatIsDoubtedOrGivenUp() {
   tool.age = 0.3;
   QCOMPARE(toolLabel(tool), QString("Tool 83 %, no depth"));
   tool.isDoubted = true;
-  QCOMPARE(toolLabel(tool), QString("Tool 83 %, cannot be there"));
+  QCOMPARE(toolLabel(tool), QString("Tool 83 %, rejected"));
   dock.setDisplay(display(tool));
-  QVERIFY2(dock.stateText().contains("seen, but for 0.3 s where it cannot be: taken to go on"),
+  QVERIFY2(dock.stateText().contains("rejected for 0.3 s: its position is extrapolated"),
            qPrintable(dock.stateText()));
   tool.isHeld = true;
   dock.setDisplay(display(tool));
-  QVERIFY2(dock.stateText().contains("cannot be: taken to be at the load, which is seen. At 4.0 s"),
+  QVERIFY2(dock.stateText().contains(
+               "rejected for 0.3 s: its position is derived from the load. After 4.0 s"),
            qPrintable(dock.stateText()));
   tool.isHeld = false;
   tool.point.reset();
   tool.age = 2.0;
   dock.setDisplay(display(tool));
-  QVERIFY2(dock.stateText().contains("for 2.0 s where it cannot be: boom and load"),
+  QVERIFY2(dock.stateText().contains("rejected for 2.0 s: boom and load"),
            qPrintable(dock.stateText()));
-  QVERIFY(!dock.stateText().contains("begin again"));
+  QVERIFY(!dock.stateText().contains("Restart"));
   tool.box.reset();
   tool.isDoubted = false;
   tool.hasGivenUp = true;
   dock.setDisplay(display(tool));
-  QVERIFY2(dock.stateText().contains("no longer looked for: begin again, or draw a new box."),
+  QVERIFY2(dock.stateText().contains("the tracker has stopped. Restart it or draw a new box."),
            qPrintable(dock.stateText()));
 }
 
@@ -196,8 +199,8 @@ void TestTrackingDock::saysWhatIsLearnt() {
   ToolTrack tool = tracked();
   tool.model = model(12, 40);
   dock.setDisplay(display(tool));
-  QVERIFY(dock.learningText().contains("suspended: what is seen is not sure enough"));
-  QVERIFY(dock.modelText().contains("views of the tool 12, of other things 40"));
+  QVERIFY(dock.learningText().contains("suspended: the tracker is not sure enough"));
+  QVERIFY(dock.modelText().contains("12 views of the tool, 40 of the background"));
   dock.setDisplay(nullptr);
   QVERIFY(dock.learningText().isEmpty() && dock.modelText().isEmpty());
 }
