@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "base/median.h"
 #include "base/row_bands.h"
 
 namespace boomwatch {
@@ -41,11 +42,9 @@ std::optional<double> noiseOf(const cv::Mat& inverse) {
     }
   }
   if (differences.size() < enough) return std::nullopt;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
   // A normal variable's median size is 0.6745 of its deviation; 1, -2, 1 has that of the square
   // root of 6.
-  return static_cast<double>(*middle) / (0.6745 * std::sqrt(6.0));
+  return static_cast<double>(medianOf(differences)) / (0.6745 * std::sqrt(6.0));
 }
 
 /// The mean of a row's pixels and of those around them that are less than `alike` apart. As many on

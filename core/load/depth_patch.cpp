@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/median.h"
+
 namespace boomwatch {
 namespace {
 
@@ -90,24 +92,6 @@ void sortIntoCells(DepthPatch& patch, const std::vector<Placed>& placed) {
   patch.samples.resize(placed.size());
   std::vector<std::size_t> next(patch.begin.begin(), patch.begin.end() - 1);
   for (const Placed& p : placed) patch.samples[next[static_cast<std::size_t>(p.cell)]++] = p.sample;
-}
-
-/// Of a few values by insertion, which for those is several times as fast.
-float medianOf(std::vector<float>& values) {
-  constexpr std::size_t few = 24;
-  const std::size_t half = values.size() / 2;
-  if (values.size() > few) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half),
-                     values.end());
-    return values[half];
-  }
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const float value = values[i];
-    std::size_t k = i;
-    for (; k > 0 && values[k - 1] > value; --k) values[k] = values[k - 1];
-    values[k] = value;
-  }
-  return values[half];
 }
 
 void takeMedians(DepthPatch& patch) {

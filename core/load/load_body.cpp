@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/median.h"
 #include "load/depth_plane.h"
 
 namespace boomwatch {
@@ -146,9 +147,7 @@ std::vector<int> surfaceIn(const std::vector<int>& cells, const DepthPatch& patc
 Vector3d steadied(const Vector3d& tool, const std::vector<int>& seeds, const DepthPatch& patch) {
   std::vector<double> values;
   for (const int i : seeds) values.push_back(patch.q[static_cast<std::size_t>(i)]);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return tool / tool.z() / *middle;
+  return tool / tool.z() / medianOf(values);
 }
 
 }  // namespace

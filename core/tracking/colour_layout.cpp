@@ -5,6 +5,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "tracking/detection.h"
 #include "tracking/picture_halves.h"
 
@@ -218,9 +219,7 @@ std::optional<double> ColourLayout::threshold() const {
     other = std::max(other, one.other);
   }
   if (own.size() < rightShare * static_cast<double>(m_observed.size())) return std::nullopt;
-  const auto median = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-  std::ranges::nth_element(own, median);
-  return std::max(minScore, other + std::max(margin, ownShare * (*median - other)));
+  return std::max(minScore, other + std::max(margin, ownShare * (medianOf(own) - other)));
 }
 
 bool ColourLayout::denies(const cv::Mat& image, const cv::Rect2d& box) const {

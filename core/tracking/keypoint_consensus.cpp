@@ -5,14 +5,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/median.h"
+
 namespace boomwatch {
 namespace {
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 cv::Point2d turned(const cv::Point2d& p, double angle, double scale) {
   const double c = std::cos(angle) * scale, s = std::sin(angle) * scale;
@@ -32,7 +28,7 @@ double medianAngle(const std::vector<double>& angles) {
   for (const double angle : angles) {
     offsets.push_back(std::remainder(angle - mean, 2.0 * std::numbers::pi));
   }
-  return std::remainder(mean + median(offsets), 2.0 * std::numbers::pi);
+  return std::remainder(mean + medianOf(offsets), 2.0 * std::numbers::pi);
 }
 
 /// Scale and rotation; the centre is left to the votes.
@@ -50,7 +46,7 @@ std::optional<KeypointPose> pairwisePose(const std::vector<KeypointPair>& points
     }
   }
   if (scales.empty()) return std::nullopt;
-  return KeypointPose{{}, median(scales), medianAngle(rotations)};
+  return KeypointPose{{}, medianOf(scales), medianAngle(rotations)};
 }
 
 /// The members of the largest cluster.

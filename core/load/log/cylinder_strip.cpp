@@ -5,17 +5,13 @@
 #include <cmath>
 #include <random>
 
+#include "base/median.h"
+
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
 using Seen = CylinderFrame::Seen;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// One cut across the strip.
 struct Slice {
@@ -177,7 +173,7 @@ class Cutter {
     for (std::size_t k = slice.begin; k < slice.end; ++k) {
       if (std::abs(m_samples[k].v - centre) <= half / 2.0) inner.push_back(m_samples[k].q);
     }
-    return inner.empty() ? m_samples[(slice.begin + slice.end) / 2].q : median(inner);
+    return inner.empty() ? m_samples[(slice.begin + slice.end) / 2].q : medianOf(inner);
   }
 
   static constexpr double widest = 3.5;  ///< times the pitch: a gap
@@ -272,7 +268,7 @@ ViewedCylinder guessFrom(const std::vector<const Slice*>& slices, const Outline&
     widths.push_back((outline.sides[1].at(s->u) - outline.sides[0].at(s->u)) / 2.0 /
                      depth.at(s->u));
   }
-  const double radius = median(widths);
+  const double radius = medianOf(widths);
   const auto behind = [radius](double q) { return 1.0 / (1.0 / std::max(q, 1e-3) + radius); };
   guess.x << middle(guess.ua), middle(guess.ub), behind(depth.at(guess.ua)),
       behind(depth.at(guess.ub)), radius;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/median.h"
+
 namespace boomwatch {
 namespace {
 
@@ -24,9 +26,7 @@ void LearntLength::learn(double length, double crosswise, bool isLearningTime) {
   }
   std::vector<double> lengths;
   for (const Sample& sample : m_samples) lengths.push_back(sample.length);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::ranges::nth_element(lengths, middle);
-  m_value = *middle;
+  m_value = medianOf(lengths);
 }
 
 }  // namespace boomwatch
