@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
+
+#include "base/point_flow.h"
 
 namespace boomwatch {
 namespace {
@@ -57,18 +58,11 @@ std::optional<double> SceneMotion::shareMoved(const cv::Mat& image) {
   const std::vector<cv::Point2f> corners = spreadCorners(before);
   if (corners.size() < enough) return std::nullopt;
 
-  std::vector<cv::Point2f> there;
-  std::vector<cv::Point2f> back;
-  std::vector<std::uint8_t> foundThere;
-  std::vector<std::uint8_t> foundBack;
-  cv::calcOpticalFlowPyrLK(before, m_previous, corners, there, foundThere, cv::noArray());
-  cv::calcOpticalFlowPyrLK(m_previous, before, there, back, foundBack, cv::noArray());
   std::size_t followed = 0;
   std::size_t moved = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const cv::Point2f error = back[k] - corners[k];
-    if (!foundThere[k] || !foundBack[k] || std::hypot(error.x, error.y) > stillness) continue;
-    const cv::Point2f step = there[k] - corners[k];
+  for (const FollowedPoint& point : followPoints(before, m_previous, corners, {})) {
+    if (static_cast<float>(point.error) > stillness) continue;
+    const cv::Point2f step = point.position - corners[point.index];
     ++followed;
     if (std::hypot(step.x, step.y) > stillness) ++moved;
   }

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
+
+#include "base/median.h"
+#include "base/point_flow.h"
 
 namespace boomwatch {
 namespace {
@@ -19,12 +21,6 @@ constexpr double maxTurn = std::numbers::pi / 180.0;
 // were independent of each other.
 constexpr double likelyFocal = 0.001;
 constexpr double rowNoise = 0.3;
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// What a turn by (about x, about z) and a longer focal length do to the row of a right ray, to
 /// first order, pixels; then what may be mistaken for it: a turn about y.
@@ -46,7 +42,7 @@ cv::Vec4d fitted(const std::vector<RowMatch>& matches, const cv::Matx33d& camera
     for (const RowMatch& m : matches) {
       rest.push_back(std::abs(rowsApart(m) - rowPer(m, camera).dot(terms)));
     }
-    const double scale = std::max(3.0 * medianOf(rest), 0.05);
+    const double scale = std::max(3.0 * medianOf(std::vector(rest)), 0.05);
     cv::Matx44d normal = cv::Matx44d::eye() * 1e-6;
     const double alike = static_cast<double>(matches.size()) / minMatches;
     normal(2, 2) = alike * rowNoise * rowNoise / (likelyFocal * likelyFocal);
@@ -77,22 +73,16 @@ std::vector<RowMatch> matchRows(const cv::Mat& left, const cv::Mat& right,
   const std::vector<cv::Point2f> corners = cornersWithDisparity(left, disparity);
   std::vector<RowMatch> matches;
   if (corners.empty()) return matches;
-  std::vector<cv::Point2f> there = corners;
-  for (cv::Point2f& p : there) p.x -= disparity.at<float>(cvRound(p.y), cvRound(p.x));
-  const std::vector<cv::Point2f> guess = there;
-  std::vector<cv::Point2f> back = corners;
-  std::vector<std::uint8_t> found, foundBack;
-  const cv::Size window(15, 15);
-  const cv::TermCriteria end(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.005);
-  constexpr int levels = 1;
-  constexpr int begin = cv::OPTFLOW_USE_INITIAL_FLOW;
-  cv::calcOpticalFlowPyrLK(left, right, corners, there, found, {}, window, levels, end, begin);
-  cv::calcOpticalFlowPyrLK(right, left, there, back, foundBack, {}, window, levels, end, begin);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const bool returned = found[k] && foundBack[k] && cv::norm(back[k] - corners[k]) < 0.2;
-    if (!returned || std::abs(there[k].x - guess[k].x) > 2.0F) continue;
-    if (std::abs(there[k].y - corners[k].y) > maxRows) continue;
-    matches.push_back({corners[k], there[k]});
+  std::vector<cv::Point2f> guess = corners;
+  for (cv::Point2f& p : guess) p.x -= disparity.at<float>(cvRound(p.y), cvRound(p.x));
+  const FlowSearch search{
+      {15, 15}, 1, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.005}};
+  for (const FollowedPoint& point : followPoints(left, right, corners, search, guess)) {
+    const cv::Point2f corner = corners[point.index];
+    if (!(point.error < 0.2)) continue;
+    if (std::abs(point.position.x - guess[point.index].x) > 2.0F) continue;
+    if (std::abs(point.position.y - corner.y) > maxRows) continue;
+    matches.push_back({corner, point.position});
   }
   return matches;
 }

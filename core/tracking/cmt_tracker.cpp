@@ -8,7 +8,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "base/error.h"
-#include "tracking/point_flow.h"
+#include "tracking/box_flow.h"
 
 namespace boomwatch {
 namespace {
@@ -89,7 +89,7 @@ std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   std::vector<cv::Point2f> before;
   for (const KeypointPair& point : m_active) before.emplace_back(point.position - origin);
   std::vector<KeypointPair> points;
-  for (const FollowedPoint& point : followPoints(m_before(part), grey(part), before, window)) {
+  for (const FollowedPoint& point : followInside(m_before(part), grey(part), before, window)) {
     if (point.error > maxReturn) continue;
     const KeypointPair& active = m_active[point.index];
     points.push_back({active.id, active.model, cv::Point2d(point.position) + origin});

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "tracking/point_flow.h"
+#include "base/median.h"
+#include "tracking/box_flow.h"
 
 namespace boomwatch {
 namespace {
@@ -18,6 +20,7 @@ constexpr double clearMotion = 1.5;
 constexpr double togetherShare = 0.5;  // of the motion, by which what goes together may differ
 constexpr std::size_t minPoints = 6;
 const cv::Size window(9, 9);
+const cv::Size patchSize(11, 11);
 
 /// A point in both images.
 struct Match {
@@ -26,13 +29,6 @@ struct Match {
   double error = 0.0;       ///< forward-backward, pixels
   double similarity = 0.0;  ///< NCC
 };
-
-template <class Values>
-double median(Values& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<cv::Point2f> gridIn(const cv::Rect2d& box) {
   std::vector<cv::Point2f> points;
@@ -49,10 +45,20 @@ std::vector<cv::Point2f> gridIn(const cv::Rect2d& box) {
 std::vector<Match> follow(const cv::Mat& before, const cv::Mat& after,
                           const std::vector<cv::Point2f>& points) {
   std::vector<Match> matches;
-  for (const FollowedPoint& point : followPoints(before, after, points, window)) {
+  for (const FollowedPoint& point : followInside(before, after, points, window)) {
     matches.push_back({point.index, points[point.index], point.position, point.error, 0.0});
   }
   return matches;
+}
+
+/// NCC, -1..1, of what surrounds a point in one image and one in another.
+double patchSimilarity(const cv::Mat& before, cv::Point2f point, const cv::Mat& after,
+                       cv::Point2f other) {
+  cv::Mat a, b, ncc;
+  cv::getRectSubPix(before, patchSize, point, a);
+  cv::getRectSubPix(after, patchSize, other, b);
+  cv::matchTemplate(a, b, ncc, cv::TM_CCOEFF_NORMED);
+  return ncc.at<float>(0);
 }
 
 /// Leaves the half for which `worth` is greater, and every one that is equal to its median.
@@ -60,7 +66,7 @@ template <class Worth>
 void keepBetterHalf(std::vector<Match>& matches, Worth worth) {
   std::vector<double> values;
   for (const Match& match : matches) values.push_back(worth(match));
-  const double limit = median(values);
+  const double limit = medianOf(values);
   std::erase_if(matches, [&](const Match& match) { return worth(match) < limit; });
 }
 
@@ -72,7 +78,7 @@ double scaleOf(const std::vector<Match>& matches) {
       ratios.push_back(cv::norm(matches[i].after - matches[j].after) / before);
     }
   }
-  return median(ratios);
+  return medianOf(ratios);
 }
 
 MedianFlow flowOf(const std::vector<Match>& matches, const cv::Rect2d& box) {
@@ -82,7 +88,7 @@ MedianFlow flowOf(const std::vector<Match>& matches, const cv::Rect2d& box) {
     y.push_back(match.after.y - match.before.y);
     similarities.push_back(match.similarity);
   }
-  const cv::Point2d motion(median(x), median(y));
+  const cv::Point2d motion(medianOf(x), medianOf(y));
   for (const Match& match : matches) {
     residuals.push_back(cv::norm(cv::Point2d(match.after - match.before) - motion));
   }
@@ -90,8 +96,8 @@ MedianFlow flowOf(const std::vector<Match>& matches, const cv::Rect2d& box) {
   const cv::Point2d centre = (box.tl() + box.br()) * 0.5 + motion;
   const cv::Size2d size = box.size() * scale;
   return {{centre.x - size.width / 2, centre.y - size.height / 2, size.width, size.height},
-          median(residuals),
-          median(similarities)};
+          medianOf(residuals),
+          medianOf(similarities)};
 }
 
 /// Which cells went where the box has gone.

@@ -3,8 +3,8 @@
 
 #include "support/test_registry.h"
 #include "support/tracked_target.h"
+#include "tracking/box_flow.h"
 #include "tracking/median_flow.h"
-#include "tracking/point_flow.h"
 
 using namespace boomwatch;
 using boomwatch::test::TargetScene;
