@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "environment/cell_update.h"
 #include "environment/grid_geometry.h"
+#include "stereo/matcher_settings.h"
 
 namespace boomwatch {
 namespace {
@@ -94,25 +95,6 @@ void requireReprojectionInside(const Parameters& p) {
               format(*z) + " m is not between z_min (" + format(p.bounds.zMin) + ") and z_max (" +
                   format(p.bounds.zMax) + ")",
               "Set a depth inside the bounds, or off.");
-}
-
-void requireMatcherSettings(const StereoParameters& stereo) {
-  constexpr int maxOfSgbm = 15;
-  if (stereo.disparities % 16 != 0) {
-    throw Error("parameter 'stereo_disparities'",
-                std::to_string(stereo.disparities) + " is not a multiple of 16",
-                "Set a multiple of 16.");
-  }
-  if (stereo.blockSize % 2 == 0) {
-    throw Error("parameter 'stereo_block_size'", std::to_string(stereo.blockSize) + " is not odd",
-                "Set an odd number.");
-  }
-  if (stereo.matcher == StereoMatcherKind::Bm && stereo.blockSize < 5) {
-    throw Error("parameter 'stereo_block_size'", "bm needs at least 5", "Set 5 or more.");
-  }
-  if (stereo.matcher == StereoMatcherKind::Sgbm && stereo.blockSize > maxOfSgbm) {
-    throw Error("parameter 'stereo_block_size'", "sgbm takes at most 15", "Set 15 or less.");
-  }
 }
 
 }  // namespace

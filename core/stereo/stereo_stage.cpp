@@ -10,40 +10,17 @@
 #include "base/error.h"
 #include "base/size_text.h"
 #include "stereo/flying_pixels.h"
+#include "stereo/matcher_settings.h"
 
 namespace boomwatch {
 namespace {
 
 // OpenCV's matchers give disparities in sixteenths of a pixel.
 constexpr int subpixels = 16;
-// Above it, SGBM's 16-bit costs overflow.
-constexpr int maxSgbmBlock = 15;
 
 void require(bool condition, const std::string& where, const std::string& what,
              const std::string& remedy) {
   if (!condition) throw Error(where, what, remedy);
-}
-
-void checkParameters(const StereoParameters& p) {
-  const bool bm = p.matcher == StereoMatcherKind::Bm;
-  const int smallest = bm ? 5 : 1, largest = bm ? 255 : maxSgbmBlock;
-  const std::string fix = "Change the parameter.";
-  require(p.disparities > 0 && p.disparities % 16 == 0, "stereo_disparities",
-          std::to_string(p.disparities) + " is not a multiple of 16 above 0", fix);
-  require(p.blockSize % 2 == 1 && p.blockSize >= smallest && p.blockSize <= largest,
-          "stereo_block_size",
-          std::to_string(p.blockSize) + " is not an odd number from " + std::to_string(smallest) +
-              " to " + std::to_string(largest) + ", which " + (bm ? "bm" : "sgbm") + " needs",
-          fix);
-  require(p.preFilterCap >= 1 && p.preFilterCap <= 63, "stereo_prefilter_cap",
-          std::to_string(p.preFilterCap) + " is not between 1 and 63", fix);
-  // OpenCV's StereoSGBM divides by 100 - uniqueness.
-  require(p.uniqueness < 100, "stereo_uniqueness", "it is not below 100", fix);
-  require(p.uniqueness >= 0 && p.texture >= 0 && p.speckleWindow >= 0 && p.speckleRange >= 0 &&
-              p.average >= 1 && p.smooth >= 0,
-          "stereo_uniqueness, stereo_texture, stereo_speckle_window, stereo_speckle_range, "
-          "stereo_average or stereo_smooth",
-          "one of them is too small", fix);
 }
 
 void checkImages(const cv::Mat& left, const cv::Mat& right) {
@@ -102,7 +79,7 @@ bool leavesRoom(cv::Size size, const StereoParameters& p) {
 
 cv::Mat matchDisparity(const cv::Mat& left, const cv::Mat& right,
                        const StereoParameters& parameters) {
-  checkParameters(parameters);
+  requireMatcherSettings(parameters);
   checkImages(left, right);
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
   cv::Mat disparity(left.size(), CV_32FC1, cv::Scalar(none));
