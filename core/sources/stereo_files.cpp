@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.h"
@@ -106,29 +107,39 @@ Paths picturesBelow(const fs::path& folder) {
   return files.empty() && fs::is_directory(folder / "data") ? imagesIn(folder / "data") : files;
 }
 
-std::optional<StereoFiles> folderPair(const fs::path& folder) {
-  for (const auto& names : folderNames) {
-    const fs::path left = folder / names.left, right = folder / names.right;
-    if (!fs::is_directory(left) || !fs::is_directory(right)) continue;
-    return StereoFiles{folder, picturesBelow(left), picturesBelow(right), false, names.cameras};
-  }
-  return std::nullopt;
+const FolderNames* folderPairIn(const fs::path& folder) {
+  const auto isPair = [&](const FolderNames& names) {
+    return fs::is_directory(folder / names.left) && fs::is_directory(folder / names.right);
+  };
+  const auto found = std::ranges::find_if(folderNames, isPair);
+  return found == folderNames.end() ? nullptr : &*found;
 }
 
-StereoFiles filesOfFolder(const fs::path& folder) {
-  if (auto files = folderPair(folder)) return *files;
+/// Videos or pictures that lie side by side in the folder; several videos a side are possible.
+std::optional<StereoFiles> filePairIn(const fs::path& folder) {
   const Paths videos = listFiles(folder, hasVideoExtension);
   const Paths pictures = imagesIn(folder);
   for (const bool video : {true, false}) {
     for (const Rule rule : {byWord, byLetter, byView}) {
       auto [left, right] = split(video ? videos : pictures, rule);
       if (left.empty() || right.empty()) continue;
-      if (video && (left.size() > 1 || right.size() > 1)) {
-        throw Error(folder.string(), "there are several left or right videos",
-                    "Name the two: stereo:LEFT,RIGHT");
-      }
-      return {folder, left, right, video, CameraPair::First};
+      return StereoFiles{folder, left, right, video, CameraPair::First};
     }
+  }
+  return std::nullopt;
+}
+
+StereoFiles filesOfFolder(const fs::path& folder) {
+  if (const FolderNames* names = folderPairIn(folder)) {
+    return {folder, picturesBelow(folder / names->left), picturesBelow(folder / names->right),
+            false, names->cameras};
+  }
+  if (auto files = filePairIn(folder)) {
+    if (files->video && (files->left.size() > 1 || files->right.size() > 1)) {
+      throw Error(folder.string(), "there are several left or right videos",
+                  "Name the two: stereo:LEFT,RIGHT");
+    }
+    return *files;
   }
   throw Error(folder.string(), "there is no left and right in it",
               "Give a folder that holds left/ and right/, left.mp4 and right.mp4, or left01.png "
@@ -167,6 +178,14 @@ StereoFiles find(const std::string& path) {
 }
 
 }  // namespace
+
+bool holdsStereoPair(const fs::path& folder) {
+  try {
+    return folderPairIn(folder) || filePairIn(folder);
+  } catch (const std::runtime_error&) {  // of the disk, or Error of a folder that is closed to us
+    return false;
+  }
+}
 
 StereoFiles findStereoFiles(const std::string& path) {
   try {

@@ -24,4 +24,8 @@ struct StereoFiles {
 /// Throws Error when there is no pair, or left and right do not match one to one.
 StereoFiles findStereoFiles(const std::string& path);
 
+/// Whether findStereoFiles() recognises a left and a right in `folder`, by their names alone. It
+/// may still refuse them. False for a folder that cannot be read.
+bool holdsStereoPair(const std::filesystem::path& folder);
+
 }  // namespace boomwatch

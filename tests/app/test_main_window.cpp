@@ -231,6 +231,8 @@ class TestMainWindow : public QObject {
     QTest::newRow("PLY") << QStringList{"b.PLY"} << "cloud:";
     QTest::newRow("videos") << QStringList{"left.mp4", "right.mp4", "README.md"} << "stereo:";
     QTest::newRow("KITTI") << QStringList{"image_0/", "image_1/", "calib.txt"} << "stereo:";
+    QTest::newRow("KITTI raw") << QStringList{"image_00/", "image_01/"} << "stereo:";
+    QTest::newRow("image_left") << QStringList{"image_left/", "image_right/"} << "stereo:";
     QTest::newRow("KITTI colour") << QStringList{"image_2/", "image_3/"} << "stereo:";
     QTest::newRow("EuRoC") << QStringList{"cam0/", "cam1/"} << "stereo:";
     QTest::newRow("Middlebury") << QStringList{"im0.png", "im1.png", "calib.txt"} << "stereo:";
@@ -238,6 +240,8 @@ class TestMainWindow : public QObject {
     QTest::newRow("aloe") << QStringList{"aloeL.jpg", "aloeR.jpg"} << "stereo:";
     QTest::newRow("TUM") << QStringList{"rgb.txt", "depth.txt", "rgb/", "depth/"} << "depth:";
     QTest::newRow("Kinect") << QStringList{"000.jpg", "000_depth.png"} << "depth:";
+    QTest::newRow("view") << QStringList{"view1.png", "view5.png"} << "stereo:";
+    QTest::newRow("calibrations") << QStringList{"left.yml", "right.yml"} << "";
     QTest::newRow("one side alone") << QStringList{"left.mp4"} << "";
     QTest::newRow("texts") << QStringList{"letter.txt"} << "";
     QTest::newRow("nothing") << QStringList{} << "";
