@@ -1914,6 +1914,10 @@ Werkzeug entfernen: Rechtsklick oder Escape.</translation>
         <translation>Verfolger</translation>
     </message>
     <message>
+        <source>Other trackers</source>
+        <translation>Andere Tracker</translation>
+    </message>
+    <message>
         <source>Learn</source>
         <translation>Lernen</translation>
     </message>

@@ -16,6 +16,9 @@
 namespace boomwatch {
 namespace {
 
+/// The entry for the trackers that are seldom the best choice: cmt and klt.
+constexpr int otherTrackers = -1;
+
 QString modelFilter() { return TrackingDock::tr("Tool models (*.tool);;All files (*)"); }
 
 /// A label of fixed height, so that the dock does not move when its text changes.
@@ -59,19 +62,34 @@ QWidget* TrackingDock::makeChoice() {
       tr("Method that tracks the tool. A new tracker starts where the old one saw the tool."));
   m_tracker->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_tracker->setMinimumContentsLength(12);
-  for (const TrackerKind kind : {TrackerKind::Tld, TrackerKind::Cmt, TrackerKind::Klt,
-                                 TrackerKind::Csrt, TrackerKind::Manual}) {
+  for (const TrackerKind kind : {TrackerKind::Tld, TrackerKind::Csrt, TrackerKind::Manual}) {
     m_tracker->addItem(trackerText(kind), static_cast<int>(kind));
   }
+  m_tracker->addItem(tr("Other trackers"), otherTrackers);
   m_learn = new QCheckBox(tr("Learn"));
   m_learn->setToolTip(tr("tld: learn new views of the tool while tracking."));
   layout->addWidget(m_tracker, 1);
   layout->addWidget(m_learn);
   connect(m_tracker, &QComboBox::activated, this, [this] {
-    emit trackerChosen(static_cast<TrackerKind>(m_tracker->currentData().toInt()));
+    const int chosen = m_tracker->currentData().toInt();
+    if (chosen != otherTrackers) {
+      emit trackerChosen(static_cast<TrackerKind>(chosen));
+    } else {
+      showOtherTrackers();
+      if (m_tracker->isVisible()) m_tracker->showPopup();
+    }
   });
   connect(m_learn, &QCheckBox::clicked, this, &TrackingDock::learningChosen);
   return row;
+}
+
+/// Lists them in place of the entry that leads to them. The choice stays as it was.
+void TrackingDock::showOtherTrackers() {
+  m_tracker->removeItem(m_tracker->findData(otherTrackers));
+  for (const TrackerKind kind : {TrackerKind::Cmt, TrackerKind::Klt}) {
+    m_tracker->addItem(trackerText(kind), static_cast<int>(kind));
+  }
+  m_tracker->setCurrentIndex(m_tracker->findData(static_cast<int>(m_kind)));
 }
 
 QWidget* TrackingDock::makeButtons() {
@@ -122,7 +140,9 @@ QWidget* TrackingDock::makeState() {
 
 void TrackingDock::setParameters(const Parameters& parameters) {
   const TrackingParameters& tracking = parameters.tracking;
-  m_tracker->setCurrentIndex(m_tracker->findData(static_cast<int>(tracking.tracker)));
+  m_kind = tracking.tracker;
+  const int index = m_tracker->findData(static_cast<int>(m_kind));
+  index < 0 ? showOtherTrackers() : m_tracker->setCurrentIndex(index);
   m_learn->setChecked(tracking.learn);
   const bool learns = tracking.tracker == TrackerKind::Tld;
   m_learn->setEnabled(learns);

@@ -42,11 +42,13 @@ class TrackingDock : public QDockWidget {
 
  private:
   QWidget* makeChoice();
+  void showOtherTrackers();
   QWidget* makeButtons();
   QWidget* makeState();
   void askWhatToLoad(bool merge);
   void askWhereToSave();
 
+  TrackerKind m_kind = TrackerKind::Tld;  ///< in force or about to be
   QComboBox* m_tracker = nullptr;
   QCheckBox* m_learn = nullptr;
   QPushButton* m_again = nullptr;

@@ -22,7 +22,8 @@ void requireRanges(const StereoParameters& stereo) {
     if (!info.key.starts_with("stereo_")) continue;
     const ParameterValue value = info.get(all);
     require(inRange(info, value), info.key,
-            formatValue(info, value) + " is not among " + rangeText(info), "Change it.");
+            formatValue(info, value) + " is not among " + rangeText(info),
+            "Set a value in that range.");
   }
 }
 
@@ -33,9 +34,10 @@ void requireMatcherSettings(const StereoParameters& stereo) {
   constexpr int disparityStep = 16, minBmBlock = 5;
   constexpr int maxSgbmBlock = 15;  // above it the 16-bit costs of sgbm overflow
   requireRanges(stereo);
-  require(stereo.disparities % disparityStep == 0, "stereo_disparities", "not a multiple of 16",
-          "Round it to one.");
-  require(stereo.blockSize % 2 == 1, "stereo_block_size", "not odd", "Add one.");
+  require(stereo.disparities % disparityStep == 0, "stereo_disparities",
+          std::to_string(stereo.disparities) + " is not a multiple of 16", "Set a multiple of 16.");
+  require(stereo.blockSize % 2 == 1, "stereo_block_size",
+          std::to_string(stereo.blockSize) + " is not odd", "Set an odd number.");
   const bool isBm = stereo.matcher == StereoMatcherKind::Bm;
   require(!isBm || stereo.blockSize >= minBmBlock, "stereo_block_size", "bm needs at least 5",
           "Set 5 or more.");

@@ -56,6 +56,7 @@ class TestTrackingDock : public QObject {
  private slots:
   void initTestCase() { QLocale::setDefault(QLocale::c()); }
   void showsTheParametersAndAsksForOthers();
+  void theOtherTrackersAreOneEntryAway();
   void asksForWhatTheButtonsSay();
   void onlyWhatCanBeDoneIsEnabled();
   void saysWhereTheTrackerStands_data();
@@ -86,9 +87,24 @@ void TestTrackingDock::showsTheParametersAndAsksForOthers() {
   parameters.tracking.tracker = TrackerKind::Tld;
   dock.setParameters(parameters);
   QTest::keyClick(tracker, Qt::Key_Down);
-  QCOMPARE(chosen.last().first().value<TrackerKind>(), TrackerKind::Cmt);
+  QCOMPARE(chosen.last().first().value<TrackerKind>(), TrackerKind::Csrt);
   learn->click();
   QCOMPARE(learning.last().first().toBool(), true);
+}
+
+void TestTrackingDock::theOtherTrackersAreOneEntryAway() {
+  TrackingDock dock;
+  QSignalSpy chosen(&dock, &TrackingDock::trackerChosen);
+  auto* tracker = dock.findChild<QComboBox*>();
+  QCOMPARE(tracker->count(), 4);
+  QVERIFY(!tracker->itemText(3).startsWith("cmt") && !tracker->itemText(3).startsWith("klt"));
+  QTest::keyClick(tracker, Qt::Key_End);
+  QCOMPARE(chosen.count(), 0);
+  QVERIFY(tracker->currentText().startsWith("tld"));
+  QTest::keyClick(tracker, Qt::Key_End);
+  QCOMPARE(chosen.last().first().value<TrackerKind>(), TrackerKind::Klt);
+  QTest::keyClick(tracker, Qt::Key_Up);
+  QCOMPARE(chosen.last().first().value<TrackerKind>(), TrackerKind::Cmt);
 }
 
 void TestTrackingDock::asksForWhatTheButtonsSay() {
