@@ -1915,7 +1915,7 @@ Werkzeug entfernen: Rechtsklick oder Escape.</translation>
     </message>
     <message>
         <source>Other trackers</source>
-        <translation>Andere Tracker</translation>
+        <translation>Andere Verfolger</translation>
     </message>
     <message>
         <source>Learn</source>
