@@ -1,16 +1,17 @@
 #pragma once
 
 #include <QByteArray>
+#include <string>
 
 #include "pipeline/result.h"
 
 namespace boomwatch {
 
-/// One JSON object on one line, without the line end: frame, stamp, state, reason, distance_m,
-/// nearest, on_load, part, uncertainty_m, depth_uncertainty_m, level, observed_share, fill,
-/// velocity_m_s, closing_m_s, time_to_contact_s, truth_m, row_residue_px, rows_corrected_px, tool,
-/// message, timings_ms. What is not known is null. `tool` is null without a frame, and else an
-/// object: state, box (x, y, width, height), confidence, pixel, point, velocity, age_s, learning.
+/// One JSON object on one line, without the line end. docs/result.schema.json says what its keys
+/// mean, from the same table (result_fields.h). What is not known is null.
 QByteArray toJsonLine(const Result& result);
+
+/// docs/result.schema.json: the line as JSON Schema.
+std::string resultSchema();
 
 }  // namespace boomwatch
