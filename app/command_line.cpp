@@ -1,88 +1,77 @@
 #include "command_line.h"
 
-#include <QCommandLineOption>
-#include <QCommandLineParser>
-#include <QCoreApplication>
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "base/error.h"
-#include "parameters/parameter_table.h"
 #include "parameters/parameter_text.h"
 #include "pipeline/parameter_checks.h"
-#include "pipeline/preset_file.h"
-#include "simulation/yard/yard_options.h"
+#include "program/program_arguments.h"
+#include "program/program_main.h"
 #include "tracking/tracker.h"
 
 namespace boomwatch {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CommandLine", text); }
+/// What was an option of boomwatch, or could be taken for a command of it, and where it is now.
+constexpr std::array<std::array<const char*, 2>, 13> moved{{
+    {"export-demo", "boomwatch-lab export DEMO --output FOLDER"},
+    {"export-truth-images", "boomwatch-lab export DEMO --output FOLDER --truth-images"},
+    {"evaluate", "boomwatch-lab evaluate FOLDER"},
+    {"absences", "boomwatch-lab evaluate FOLDER --absences N"},
+    {"experiments", "boomwatch-lab experiments --output REPORT"},
+    {"sequences", "boomwatch-lab experiments --output REPORT --sequences N"},
+    {"hours", "boomwatch-lab experiments --output REPORT --hours H"},
+    {"only", "boomwatch-lab experiments --output REPORT --only NAMES"},
+    {"tracking", "boomwatch-lab experiments --output REPORT --tracking PATH"},
+    {"bench", "boomwatch-lab experiments --output REPORT --bench FILE"},
+    {"export", "boomwatch-lab export DEMO --output FOLDER"},
+    {"truth-images", "boomwatch-lab export DEMO --output FOLDER --truth-images"},
+    {"lab", "boomwatch-lab --help"},
+}};
 
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+void failIfMoved(const QString& word, const std::string& asGiven) {
+  for (const auto& [name, place] : moved) {
+    if (word != QLatin1String(name)) continue;
+    throw Error(asGiven, "this is part of the program boomwatch-lab now",
+                "Write " + std::string(place) + ".");
+  }
 }
 
-template <class Add>
-void addExperimentOptions(const Add& option) {
-  option(
-      "experiments", "",
-      tr("Instead of all this, repeat the thesis's experiments and run the chain on random yards "
-         "against truth; the report goes into the folder --output; --frames of each yard"));
-  option("sequences", "N", tr("With --experiments: how many random yards, 50 by default"));
-  option("hours", "H",
-         tr("With --experiments: simulated hours in which alarms are counted, 1 by default"));
-  option("only", "NAME,...",
-         tr("With --experiments: only those named, as the progress names them"));
-  option("tracking", "PATH",
-         tr("With --experiments: a sequence with ground truth, or a folder of such"));
-  option("bench", "FILE",
-         tr("With --experiments: figures of FCL and OctoMap, as packaging/dev bench writes them"));
+std::vector<ProgramOption> sourceOptions() {
+  return {{"source", "ADDRESS",
+           "What to open: stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT, "
+           "demo:yard, demo:floor, demo:cylinders or demo:wall"},
+          {"calibration", "FILE", "Stereo calibration, when it does not lie with the recording"},
+          {"headless", "", "Run without a window; one JSON line a frame"},
+          framesOption(),
+          {"output", "FILE", "Where the JSON lines go; - is standard output"},
+          {"screenshot", "FILE", "Save the whole window as PNG after the last frame"}};
 }
 
-void addOptions(QCommandLineParser& parser) {
-  const auto option = [&](const char* name, const char* value, const QString& description) {
-    parser.addOption(
-        QCommandLineOption(QString::fromLatin1(name), description, QString::fromLatin1(value)));
-  };
-  option(
-      "source", "ADDRESS",
-      tr("stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT, demo:yard, demo:floor, "
-         "demo:cylinders or demo:wall"));
-  option("calibration", "FILE", tr("Stereo calibration, when it does not lie with the recording"));
-  option("headless", "", tr("Run without a window; one JSON line a frame"));
-  option("frames", "N", tr("Stop after N frames"));
-  option("output", "FILE", tr("Where the JSON lines go; - is standard output"));
-  option("export-demo", "NAME",
-         tr("Write a demo (yard, or yard,seed=7,...; floor, cylinders, wall) as a recording with "
-            "its truth into the folder --output, --frames of it"));
-  option("export-truth-images", "",
-         tr("With --export-demo yard: depth, disparity and kinds as images as well"));
-  option("screenshot", "FILE", tr("Save the whole window as PNG after the last frame"));
-  option("parameters", "FILE", tr("YAML preset with parameters"));
-  option("set", "KEY=VALUE", tr("Set one parameter; may be given often, after --parameters"));
-  option("load", "CX,CY,CZ,LX,LY,LZ,YAW,PITCH,ROLL",
-         tr("The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
-            "pitch about x, then roll about z, in degrees"));
-  option("tool", "U,V", tr("Pixel of the left image at which the tool is seen"));
-  option("track", "X,Y,W,H",
-         tr("Box of the left image in which the tool is first seen: corner and size in pixels"));
-  option("tracker-model", "FILE",
-         tr("Find the tool by this saved model instead of a box; several are merged"));
-  option("learn", "on|off", tr("Whether the tracker goes on learning what the tool looks like"));
-  option("save-tracker-model", "FILE", tr("Where to save, at the end, what the tracker learnt"));
-  option("tracker", "NAME",
-         tr("What follows the tool: tld, cmt, klt, csrt or manual; with --evaluate it may be given "
-            "often, and opencv_tld, opencv_csrt and opencv_medianflow are possible too"));
-  option("evaluate", "tracking",
-         tr("Instead of all this, run trackers over the FOLDERs that follow, each a sequence with "
-            "ground truth or a folder of such; --output names a folder for the tables"));
-  option("absences", "N",
-         tr("With --evaluate: take the target out of each sequence N times for 40 frames, and see "
-            "whether it is found again"));
-  addExperimentOptions(option);
-  parser.addOption(
-      QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, tr("Show this text")));
-  option("version", "", tr("Show the version"));
+std::vector<ProgramOption> toolOptions() {
+  return {{"load", "CX,CY,CZ,LX,LY,LZ,YAW,PITCH,ROLL",
+           "The load: centre and full sizes along its own x, y, z in metres; yaw about y, then "
+           "pitch about x, then roll about z, in degrees"},
+          {"tool", "U,V", "Pixel of the left image at which the tool is seen"},
+          {"track", "X,Y,W,H",
+           "Box of the left image in which the tool is first seen: corner and size in pixels"},
+          {"tracker-model", "FILE",
+           "Find the tool by this saved model instead of a box; several are merged"},
+          {"learn",
+           "on|off",
+           "Whether the tracker goes on learning what the tool looks like",
+           {"on", "off"}},
+          {"save-tracker-model", "FILE", "Where to save, at the end, what the tracker learnt"},
+          {"tracker",
+           "NAME",
+           "What follows the tool: tld, cmt, klt, csrt or manual",
+           {"tld", "cmt", "klt", "csrt", "manual"}}};
+}
+
+void append(std::vector<ProgramOption>& to, std::vector<ProgramOption> more) {
+  std::ranges::move(more, std::back_inserter(to));
 }
 
 /// `count` numbers, separated by commas; throws Error naming `option`.
@@ -106,18 +95,8 @@ void setLoad(Parameters& parameters, const QString& value) {
   parameters.load.source = LoadSource::Manual;
 }
 
-int wholeNumber(const QString& option, const QString& value, int minimum) {
-  bool valid = false;
-  const int number = value.trimmed().toInt(&valid);
-  if (valid && number >= minimum) return number;
-  throw Error(option.toStdString(),
-              "'" + value.toStdString() + "' is not a whole number from " + std::to_string(minimum),
-              "Give one.");
-}
-
 void setTracker(Parameters& parameters, const QCommandLineParser& parser) {
-  // An evaluation knows more of them, and several at a time.
-  if (parser.isSet(QStringLiteral("tracker")) && !parser.isSet(QStringLiteral("evaluate"))) {
+  if (parser.isSet(QStringLiteral("tracker"))) {
     setParameter(parameters, "tracker", parser.value(QStringLiteral("tracker")).toStdString());
   }
   if (!parser.isSet(QStringLiteral("learn"))) return;
@@ -172,78 +151,20 @@ void requireLearner(const CommandLine& line) {
   }
 }
 
-/// Positional arguments are the folders of an evaluation, and nothing else.
-void readEvaluation(CommandLine& line, const QCommandLineParser& parser) {
-  line.trackers = parser.values(QStringLiteral("tracker"));
-  line.evaluate = parser.isSet(QStringLiteral("evaluate"));
-  const QStringList words = parser.positionalArguments();
-  if (!line.evaluate) {
-    if (parser.isSet(QStringLiteral("absences"))) {
-      throw Error("--absences", "nothing is evaluated",
-                  "Write --evaluate tracking FOLDER... as well.");
-    }
-    if (words.isEmpty()) return;
-    throw Error("command line", "'" + words.constFirst().toStdString() + "' is no option",
-                "Name a recording with --source KIND:PATH; --help lists the kinds.");
-  }
-  const QString what = parser.value(QStringLiteral("evaluate"));
-  if (what != QLatin1String("tracking")) {
-    throw Error("--evaluate", "'" + what.toStdString() + "' cannot be evaluated",
-                "Write --evaluate tracking FOLDER...");
-  }
-  if (words.isEmpty()) {
-    throw Error("--evaluate", "no folder is named", "Write --evaluate tracking FOLDER...");
-  }
-  line.evaluationFolders = words;
-  if (!parser.isSet(QStringLiteral("absences"))) return;
-  line.absences = static_cast<std::size_t>(
-      wholeNumber(QStringLiteral("--absences"), parser.value(QStringLiteral("absences")), 1));
-}
-
-double hoursOf(const QString& text) {
-  bool isNumber = false;
-  const double hours = text.toDouble(&isNumber);
-  if (isNumber && hours > 0.0 && hours <= 1000.0) return hours;
-  throw Error("--hours", "'" + text.toStdString() + "' is not a number above 0, 1000 at most",
-              "Write --hours 1.");
-}
-
-void readExperiments(CommandLine& line, const QCommandLineParser& parser) {
-  line.experiments = parser.isSet(QStringLiteral("experiments"));
-  line.tracking = parser.value(QStringLiteral("tracking"));
-  line.bench = parser.value(QStringLiteral("bench"));
-  if (parser.isSet(QStringLiteral("sequences"))) {
-    line.sequences = static_cast<std::size_t>(
-        wholeNumber(QStringLiteral("--sequences"), parser.value(QStringLiteral("sequences")), 1));
-  }
-  line.only = parser.value(QStringLiteral("only"));
-  if (parser.isSet(QStringLiteral("hours"))) {
-    line.hours = hoursOf(parser.value(QStringLiteral("hours")));
-  }
-  for (const char* name : {"sequences", "hours", "only", "tracking", "bench"}) {
-    if (line.experiments || !parser.isSet(QLatin1String(name))) continue;
-    throw Error("--" + std::string(name), "it belongs to --experiments",
-                "Add that, or leave it out.");
-  }
+void refuseWords(const QStringList& words) {
+  if (words.isEmpty()) return;
+  const std::string word = words.constFirst().toStdString();
+  failIfMoved(words.constFirst(), word);
+  throw Error("command line", "'" + word + "' is no option",
+              "Name a recording with --source KIND:PATH; --help lists the kinds.");
 }
 
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
-  if (parser.isSet(QStringLiteral("parameters"))) {
-    line.parameters =
-        loadPreset(parser.value(QStringLiteral("parameters")).toStdString(), line.parameters);
-  }
+  readPreset(line.parameters, parser);
   if (parser.isSet(QStringLiteral("load"))) {
     setLoad(line.parameters, parser.value(QStringLiteral("load")));
   }
-  for (const QString& setting : parser.values(QStringLiteral("set"))) {
-    const qsizetype equals = setting.indexOf(QLatin1Char('='));
-    if (equals < 1) {
-      throw Error("--set", "'" + setting.toStdString() + "' is not a key, '=' and a value",
-                  "Write --set key=value.");
-    }
-    setParameter(line.parameters, setting.left(equals).trimmed().toStdString(),
-                 setting.mid(equals + 1).trimmed().toStdString());
-  }
+  readSettings(line.parameters, parser);
   setTracker(line.parameters, parser);
   validate(line.parameters);
 }
@@ -252,57 +173,47 @@ void readParameters(CommandLine& line, const QCommandLineParser& parser) {
 
 CommandLine parseCommandLine(const QStringList& arguments) {
   QCommandLineParser parser;
-  addOptions(parser);
-  if (!parser.parse(arguments)) {
-    QString fault = parser.errorText();
-    while (fault.endsWith(QLatin1Char('.'))) fault.chop(1);
-    throw Error("command line", fault.toStdString(), "--help lists the options.");
+  if (!parseArguments(parser, boomwatchProgram().commands.front(), arguments)) {
+    for (const QString& name : parser.unknownOptionNames()) {
+      failIfMoved(name, "--" + name.toStdString());
+    }
+    failOnArguments(parser);
   }
   CommandLine line;
   line.help = parser.isSet(QStringLiteral("help"));
   line.version = parser.isSet(QStringLiteral("version"));
+  line.print = parser.value(QStringLiteral("print"));
   line.headless = parser.isSet(QStringLiteral("headless"));
   line.source = parser.value(QStringLiteral("source"));
   line.sourceOptions.calibration = parser.value(QStringLiteral("calibration")).toStdString();
   line.output = parser.value(QStringLiteral("output"));
-  line.exportDemo = parser.value(QStringLiteral("export-demo"));
-  line.exportTruthImages = parser.isSet(QStringLiteral("export-truth-images"));
   line.screenshot = parser.value(QStringLiteral("screenshot"));
-  if (parser.isSet(QStringLiteral("frames"))) {
-    line.frames = static_cast<std::size_t>(
-        wholeNumber(QStringLiteral("--frames"), parser.value(QStringLiteral("frames")), 1));
-  }
-  readEvaluation(line, parser);
-  readExperiments(line, parser);
+  line.frames = countOf(parser, "frames");
+  refuseWords(parser.positionalArguments());
   readTool(line, parser);
   readParameters(line, parser);
   requireLearner(line);
   return line;
 }
 
-QString helpText() {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      tr("Boomwatch tells a remote operator how far the load is from hitting something, and "
-         "whether that number can be trusted."));
-  addOptions(parser);
-  QString help = parser.helpText();
-  help += QLatin1Char('\n') + tr("Parameters (key, range, default):") + QLatin1Char('\n');
-  const Parameters defaults;
-  for (const ParameterInfo& info : parameterTable()) {
-    help += QStringLiteral("  %1 %2 [%3]\n      %4\n")
-                .arg(text(info.key), -24)
-                .arg(QString::fromStdString(rangeText(info)),
-                     QString::fromStdString(formatValue(info, info.get(defaults))),
-                     QCoreApplication::translate("Parameters", info.tooltip));
-  }
-  help += QLatin1Char('\n') +
-          tr("Options of demo:yard (key, range, default), as in %1:")
-              .arg(QStringLiteral("demo:yard,seed=7,rain=0.5")) +
-          QLatin1Char('\n') + QString::fromStdString(yardOptionsHelp());
-  help += QLatin1Char('\n') + tr("Exit codes: 0 done, 1 a fault in the run, 2 bad arguments.") +
-          QLatin1Char('\n');
-  return help;
+Program boomwatchProgram() {
+  ProgramCommand itself{"", "",
+                        "Boomwatch tells a remote operator how far the load is from hitting "
+                        "something, and whether that number can be trusted.",
+                        sourceOptions()};
+  append(itself.options, parameterOptions());
+  append(itself.options, toolOptions());
+  append(itself.options,
+         ownOptions({"parameters", "schema", "man", "completion"},
+                    "Print a document that is made from the program's own tables: parameters "
+                    "(docs/parameters.md), schema (of a JSON line, docs/result.schema.json), man "
+                    "(the manual page) or completion (for bash). For packagers"));
+  return {"boomwatch",
+          programVersion(),
+          "shows how far a crane's load is from the nearest obstacle",
+          {std::move(itself)},
+          {parameterSection(), yardSection(), exitSection()},
+          "boomwatch-lab"};
 }
 
 }  // namespace boomwatch

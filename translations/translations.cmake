@@ -17,7 +17,7 @@ file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/parameter_texts.cpp CONTENT "$
 # Not the command line: it speaks English, whatever the window speaks.
 file(GLOB window_texts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/app/*.cpp ${CMAKE_SOURCE_DIR}/app/*.h
   ${CMAKE_SOURCE_DIR}/widgets/*.cpp ${CMAKE_SOURCE_DIR}/widgets/*.h)
-list(FILTER window_texts EXCLUDE REGEX "/(main|command_line|headless|result_json)\\.")
+list(FILTER window_texts EXCLUDE REGEX "/(main|command_line|headless|result_json|result_fields|parameter_document)\\.")
 
 qt_add_translations(boomwatch_app
   TS_FILES ${CMAKE_SOURCE_DIR}/translations/boomwatch_de.ts

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "base/error.h"
-#include "interrupt_watch.h"
 #include "lab/evaluation/absences.h"
 #include "lab/evaluation/evaluation_table.h"
 #include "lab/evaluation/tracker_run.h"
 #include "lab/evaluation/tracking_sequence.h"
+#include "program/interrupt_watch.h"
 
 namespace boomwatch {
 namespace {
 
 void complain(const std::string& message) {
-  std::fprintf(stderr, "boomwatch: %s\n", message.c_str());
+  std::fprintf(stderr, "boomwatch-lab: %s\n", message.c_str());
 }
 
 /// Before the hours of work, not after them.
@@ -42,14 +42,14 @@ void write(const QString& folder, const char* name, const std::string& text) {
 
 class Evaluation {
  public:
-  explicit Evaluation(const CommandLine& line) : m_line(line) {
+  explicit Evaluation(const EvaluationOrder& order) : m_order(order) {
     std::vector<std::string> names;
-    for (const QString& name : line.trackers) names.push_back(name.toStdString());
+    for (const QString& name : order.trackers) names.push_back(name.toStdString());
     m_trackers = contestantsNamed(names);
-    for (const QString& path : line.evaluationFolders) {
+    for (const QString& path : order.folders) {
       for (auto& folder : trackingSequencesIn(path.toStdString())) m_folders.push_back(folder);
     }
-    if (!line.output.isEmpty()) requireWritable(line.output);
+    if (!order.output.isEmpty()) requireWritable(order.output);
   }
 
   int run() {
@@ -57,9 +57,9 @@ class Evaluation {
     print(tableHeader());
     for (std::size_t i = 0; i < m_folders.size(); ++i) add(runsOf(i));
     for (const TrackerMean& mean : meansOf(m_runs)) print(tableLine(mean));
-    if (!m_line.output.isEmpty()) {
-      write(m_line.output, "tracking.csv", csvTable(m_runs));
-      write(m_line.output, "tracking.md", markdownTable(m_runs));
+    if (!m_order.output.isEmpty()) {
+      write(m_order.output, "tracking.csv", csvTable(m_runs));
+      write(m_order.output, "tracking.md", markdownTable(m_runs));
     }
     if (InterruptWatch::interrupted())
       complain("interrupted: only rows that say complete are whole.");
@@ -80,8 +80,8 @@ class Evaluation {
     if (InterruptWatch::interrupted()) return without(name, RunState::Interrupted, "");
     try {
       TrackingSequence sequence = openTrackingSequence(m_folders[index]);
-      if (m_line.absences > 0) addAbsences(sequence, m_line.absences, m_line.frames);
-      return evaluateSequence(sequence, m_trackers, m_line.frames,
+      if (m_order.absences > 0) addAbsences(sequence, m_order.absences, m_order.frames);
+      return evaluateSequence(sequence, m_trackers, m_order.frames,
                               [&](std::size_t frame, std::size_t frames) {
                                 sayProgress(index, sequence.name, frame, frames);
                                 return !InterruptWatch::interrupted();
@@ -115,7 +115,7 @@ class Evaluation {
     m_runs.insert(m_runs.end(), runs.begin(), runs.end());
   }
 
-  const CommandLine& m_line;
+  const EvaluationOrder& m_order;
   std::vector<Contestant> m_trackers;
   std::vector<std::filesystem::path> m_folders;
   std::vector<TrackerRun> m_runs;
@@ -123,6 +123,6 @@ class Evaluation {
 
 }  // namespace
 
-int runEvaluation(const CommandLine& line) { return Evaluation(line).run(); }
+int runEvaluation(const EvaluationOrder& order) { return Evaluation(order).run(); }
 
 }  // namespace boomwatch

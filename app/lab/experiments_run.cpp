@@ -8,12 +8,12 @@
 #include <opencv2/core/utility.hpp>
 
 #include "base/error.h"
-#include "interrupt_watch.h"
 #include "lab/evaluation/tracking_sequence.h"
 #include "lab/experiments/experiment.h"
 #include "lab/report_writer.h"
 #include "parameters/parameter_table.h"
 #include "parameters/parameter_text.h"
+#include "program/interrupt_watch.h"
 #include "simulation/yard/yard_options.h"
 
 namespace boomwatch {
@@ -49,15 +49,16 @@ void requireYards(const ExperimentSetup& setup) {
   parseYardOptions("frames=" + std::to_string(setup.framesOfAYard()), "--frames");
 }
 
-ExperimentSetup setupOf(const CommandLine& line) {
+ExperimentSetup setupOf(const ExperimentsOrder& order) {
   ExperimentSetup setup;
-  setup.parameters = line.parameters;
-  setup.sequences = line.sequences.value_or(setup.sequences);
-  setup.frames = line.frames;
-  setup.hours = line.hours.value_or(setup.hours);
+  setup.parameters = order.parameters;
+  setup.sequences = order.sequences.value_or(setup.sequences);
+  setup.frames = order.frames;
+  setup.hours = order.hours.value_or(setup.hours);
   requireYards(setup);
-  if (!line.bench.isEmpty()) setup.bench = benchIn(line.bench);
-  if (!line.tracking.isEmpty()) setup.recordings = trackingSequencesIn(line.tracking.toStdString());
+  if (!order.bench.isEmpty()) setup.bench = benchIn(order.bench);
+  if (!order.tracking.isEmpty())
+    setup.recordings = trackingSequencesIn(order.tracking.toStdString());
   return setup;
 }
 
@@ -122,7 +123,7 @@ class ProgressLine {
     const int percent = static_cast<int>(100.0 * share);
     if (percent != m_percent) {
       m_percent = percent;
-      std::fprintf(stderr, "\rboomwatch: experiment %s: %3d %%   ", m_head.c_str(), percent);
+      std::fprintf(stderr, "\rboomwatch-lab: experiment %s: %3d %%   ", m_head.c_str(), percent);
       std::fflush(stderr);
     }
     return !InterruptWatch::interrupted();
@@ -150,23 +151,23 @@ bool writeChapters(ReportWriter& writer, const ExperimentSetup& setup,
 
 }  // namespace
 
-int runExperiments(const CommandLine& line, const std::string& version) {
-  const ExperimentSetup setup = setupOf(line);
-  const std::vector<Experiment> wanted = chosen(line.only);
-  const std::filesystem::path target = emptyFolder(line.output.toStdString());
+int runExperiments(const ExperimentsOrder& order, const std::string& version) {
+  const ExperimentSetup setup = setupOf(order);
+  const std::vector<Experiment> wanted = chosen(order.only);
+  const std::filesystem::path target = emptyFolder(order.output.toStdString());
   PartialFolder folder(target);
   const InterruptWatch watch;
   cv::setNumThreads(threads);
   ReportWriter writer(folder, "Experiments");
   writer.add(introduction(setup, version));
   if (!writeChapters(writer, setup, wanted)) {
-    std::fprintf(stderr, "\nboomwatch: stopped; nothing is left of %s\n", target.c_str());
+    std::fprintf(stderr, "\nboomwatch-lab: stopped; nothing is left of %s\n", target.c_str());
     return 1;
   }
   writer.add(Chapter{"Parameters", {everyParameter(setup.parameters)}});
   writer.close();
   folder.finish();
-  std::fprintf(stderr, "boomwatch: %s is written\n", (target / "report.md").c_str());
+  std::fprintf(stderr, "boomwatch-lab: %s is written\n", (target / "report.md").c_str());
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "lab/report_writer.h"
 
+#include <QBrush>
 #include <QBuffer>
 #include <QImage>
 #include <variant>

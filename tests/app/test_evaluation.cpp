@@ -11,7 +11,7 @@
 
 using namespace boomwatch::test;
 
-/// boomwatch --evaluate tracking, run as a person would.
+/// boomwatch-lab evaluate, run as a person would.
 class TestEvaluation : public QObject {
   Q_OBJECT
  private slots:
@@ -43,7 +43,7 @@ void TestEvaluation::init() { m_folder = std::make_unique<QTemporaryDir>(); }
 
 TestEvaluation::Run TestEvaluation::run(const QStringList& arguments) const {
   QProcess process;
-  process.start(builtProgram("boomwatch"), QStringList{"--evaluate"} + arguments);
+  process.start(builtProgram("boomwatch-lab"), QStringList{"evaluate"} + arguments);
   if (!process.waitForFinished(120000)) {
     process.kill();
     process.waitForFinished();
@@ -96,7 +96,7 @@ void TestEvaluation::tablesOfAFolderOfSequences() {
 
 void TestEvaluation::framesAreLimited() {
   writeSequence("one", 10);
-  const Run result = run({"tracking", path("one"), "--tracker", "klt", "--frames", "4"});
+  const Run result = run({path("one"), "--tracker", "klt", "--frames", "4"});
   QCOMPARE(result.exitCode, 0);
   // A heading, one run, its mean.
   QCOMPARE(result.output.count(QLatin1Char('\n')), 3);
@@ -105,8 +105,8 @@ void TestEvaluation::framesAreLimited() {
 
 void TestEvaluation::theTargetGoesAndComesBackWhereAskedFor() {
   writeSequence("one", 110);
-  const Run result = run(
-      {"tracking", path("one"), "--tracker", "klt", "--absences", "1", "--output", path("out")});
+  const Run result =
+      run({path("one"), "--tracker", "klt", "--absences", "1", "--output", path("out")});
   QCOMPARE(result.exitCode, 0);
   const QStringList lines = linesOf(path("out/tracking.csv"));
   QVERIFY2(lines.value(0).endsWith("found_again,followed_before,followed_found_again"),
@@ -120,7 +120,7 @@ void TestEvaluation::oneBadSequenceAmongSeveral() {
   writeSequence("all/b", 5);
   writeSequence("all/c", 5);
   QVERIFY(QFile::remove(path("all/b/img/0005.png")));
-  const Run result = run({"tracking", path("all"), "--tracker", "klt", "--output", path("out")});
+  const Run result = run({path("all"), "--tracker", "klt", "--output", path("out")});
   QCOMPARE(result.exitCode, 1);
   QVERIFY2(result.errors.contains("all/b"), qPrintable(result.errors));
   const QStringList lines = linesOf(path("out/tracking.csv"));
@@ -137,12 +137,13 @@ void TestEvaluation::badArgumentsExitWithTwo_data() {
     QTest::newRow(name) << arguments << QString::fromLatin1(named);
   };
   row("nothing to evaluate", {"dancing", "."}, "dancing");
-  row("no folder", {"tracking"}, "no folder");
-  row("absent folder", {"tracking", "absent/folder"}, "absent/folder");
-  row("no sequence in it", {"tracking", "EMPTY"}, "no sequence");
-  row("unknown tracker", {"tracking", "EMPTY", "--tracker", "goturn"}, "opencv_medianflow");
-  row("no absences", {"tracking", "EMPTY", "--absences", "0"}, "--absences");
-  row("no frames", {"tracking", "EMPTY", "--frames", "0"}, "--frames");
+  row("no folder", {}, "no folder");
+  row("no folder behind the word", {"tracking"}, "no folder");
+  row("absent folder", {"absent/folder"}, "absent/folder");
+  row("no sequence in it", {"EMPTY"}, "no sequence");
+  row("unknown tracker", {"EMPTY", "--tracker", "goturn"}, "opencv_medianflow");
+  row("no absences", {"EMPTY", "--absences", "0"}, "--absences");
+  row("no frames", {"EMPTY", "--frames", "0"}, "--frames");
 }
 
 void TestEvaluation::badArgumentsExitWithTwo() {
@@ -158,7 +159,7 @@ void TestEvaluation::badArgumentsExitWithTwo() {
 void TestEvaluation::anOutputThatCannotBeWrittenIsSaidAtOnce() {
   writeSequence("one", 5);
   const QString file = path("one/groundtruth_rect.txt");
-  const Run result = run({"tracking", path("one"), "--output", file});
+  const Run result = run({path("one"), "--output", file});
   QCOMPARE(result.exitCode, 2);
   QVERIFY2(result.errors.contains(file), qPrintable(result.errors));
   QVERIFY(result.output.isEmpty());
@@ -168,9 +169,9 @@ void TestEvaluation::interruptedItSaysWhatIsWhole() {
   writeSequence("all/a", 5);
   writeSequence("all/b", 400);
   QProcess process;
-  process.start(builtProgram("boomwatch"),
-                {"--evaluate", "tracking", path("all"), "--tracker", "klt", "--tracker",
-                 "opencv_csrt", "--output", path("out")});
+  process.start(builtProgram("boomwatch-lab"),
+                {"evaluate", path("all"), "--tracker", "klt", "--tracker", "opencv_csrt",
+                 "--output", path("out")});
   QByteArray errors;
   process.setReadChannel(QProcess::StandardError);
   while (!errors.contains("(b), frame 50") && process.waitForReadyRead(120000)) {

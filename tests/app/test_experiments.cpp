@@ -9,7 +9,7 @@
 #include "support/test_registry.h"
 #include "support/tracking_folder.h"
 
-/// boomwatch --experiments, run as a person would.
+/// boomwatch-lab experiments, run as a person would.
 class TestExperiments : public QObject {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class TestExperiments : public QObject {
     return {normal ? process.exitCode() : -1, process.readAllStandardError()};
   }
   static Run run(const QStringList& arguments) {
-    return run(builtProgram("boomwatch"), QStringList{"--experiments"} + arguments);
+    return run(builtProgram("boomwatch-lab"), QStringList{"experiments"} + arguments);
   }
   static QByteArray contents(const QString& path) {
     QFile file(path);
@@ -99,8 +99,8 @@ class TestExperiments : public QObject {
 
   void anInterruptLeavesNothing() {
     QProcess process;
-    process.start(builtProgram("boomwatch"),
-                  {"--experiments", "--sequences", "1", "--output", path("report")});
+    process.start(builtProgram("boomwatch-lab"),
+                  {"experiments", "--sequences", "1", "--output", path("report")});
     process.setReadChannel(QProcess::StandardError);
     QByteArray said = process.readAllStandardError();
     while (!said.contains("experiment 1 of") && process.waitForReadyRead(60000)) {
@@ -120,9 +120,9 @@ class TestExperiments : public QObject {
   // A limit on the size of files stands for a disk that is full.
   void aFullDiskIsSaidAndLeavesNothing() {
     const QString command = QStringLiteral(
-        "trap '' XFSZ; ulimit -f 1; exec \"$0\" --experiments --sequences 1 --frames 4 --output "
+        "trap '' XFSZ; ulimit -f 1; exec \"$0\" experiments --sequences 1 --frames 4 --output "
         "\"$1\"");
-    const Run result = run("bash", {"-c", command, builtProgram("boomwatch"), path("full")});
+    const Run result = run("bash", {"-c", command, builtProgram("boomwatch-lab"), path("full")});
     QVERIFY2(result.exitCode == 1, result.errors.constData());
     QVERIFY2(result.errors.contains("cannot be written"), result.errors.constData());
     QVERIFY(result.errors.contains(path("full").toLocal8Bit()));
@@ -147,6 +147,8 @@ class TestExperiments : public QObject {
     row("no hours", output + QStringList{"--hours", "0"}, "--hours");
     row("hours that are none", output + QStringList{"--hours", "nan"}, "--hours");
     row("no such experiment", output + QStringList{"--only", "gap,nothing"}, "'nothing'");
+    row("a word", output + QStringList{"gap"}, "--only");
+    row("a setting that is none", output + QStringList{"--set", "resolution=5"}, "resolution");
     row("no benchmarks", output + QStringList{"--bench", "FOLDER/absent.json"}, "absent.json");
     row("other benchmarks", output + QStringList{"--bench", "FOLDER/file"}, "no figures");
   }
@@ -160,12 +162,6 @@ class TestExperiments : public QObject {
     QVERIFY2(result.errors.contains(named), result.errors.constData());
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
              QStringList{"file"});
-  }
-
-  void whatBelongsToTheExperimentsIsNotIgnored() {
-    const Run result = run(builtProgram("boomwatch"), {"--headless", "--sequences", "3"});
-    QCOMPARE(result.exitCode, 2);
-    QVERIFY(result.errors.contains("--experiments"));
   }
 };
 

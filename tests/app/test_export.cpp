@@ -12,7 +12,7 @@ class TestExport : public QObject {
   Q_OBJECT
 
   static void start(QProcess& process, const QStringList& arguments) {
-    process.start(builtProgram("boomwatch"), arguments);
+    process.start(builtProgram("boomwatch-lab"), QStringList{"export"} + arguments);
   }
   static int codeOf(QProcess& process) {
     if (!process.waitForFinished(120000)) process.kill();
@@ -24,11 +24,11 @@ class TestExport : public QObject {
     const QTemporaryDir folder;
     const QString yard = folder.filePath("yard");
     QProcess exporting;
-    start(exporting, {"--export-demo", "yard", "--frames", "2", "--output", yard});
+    start(exporting, {"yard", "--frames", "2", "--output", yard});
     QCOMPARE(codeOf(exporting), 0);
     QVERIFY(exporting.readAllStandardError().contains("frame 2 of 2"));
     QProcess running;
-    start(running, {"--headless", "--source", "stereo:" + yard});
+    running.start(builtProgram("boomwatch"), {"--headless", "--source", "stereo:" + yard});
     QCOMPARE(codeOf(running), 0);
     QCOMPARE(running.readAllStandardOutput().count('\n'), 2);
   }
@@ -36,7 +36,7 @@ class TestExport : public QObject {
   void anInterruptLeavesNothing() {
     const QTemporaryDir folder;
     QProcess process;
-    start(process, {"--export-demo", "floor", "--output", folder.filePath("floor")});
+    start(process, {"floor", "--output", folder.filePath("floor")});
     process.setReadChannel(QProcess::StandardError);
     QByteArray said = process.readAllStandardError();
     while (!said.contains("frame 2 of") && process.waitForReadyRead(60000)) {
@@ -55,6 +55,7 @@ class TestExport : public QObject {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QByteArray>("named");
     QTest::newRow("no folder") << QStringList{"yard"} << QByteArray("--output");
+    QTest::newRow("no demo") << QStringList{"--output", "x"} << QByteArray("export DEMO");
     QTest::newRow("no such demo") << QStringList{"roof", "--output", "x"} << QByteArray("roof");
     QTest::newRow("seed") << QStringList{"yard,seed=-1", "--output", "x"}
                           << QByteArray("0..999999");
@@ -70,7 +71,7 @@ class TestExport : public QObject {
     const QTemporaryDir folder;
     QProcess process;
     process.setWorkingDirectory(folder.path());
-    start(process, QStringList{"--export-demo"} + arguments);
+    start(process, arguments);
     QCOMPARE(codeOf(process), 2);
     const QByteArray said = process.readAllStandardError();
     QVERIFY2(said.contains(named), said.constData());

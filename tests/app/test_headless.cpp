@@ -158,7 +158,6 @@ void TestHeadless::badArgumentsExitWithTwo_data() {
   row("negative load", {"--load", "0,0,1,1,-1,1,0,0,0"}, "load_size_y");
   row("tool", {"--tool", "12"}, "--tool");
   row("frames", {"--frames", "0"}, "--frames");
-  row("absences of nothing", {"--absences", "2"}, "--evaluate");
   row("missing folder", {"--source", "stereo:absent/folder"}, "absent/folder");
   row("missing cloud", {"--source", "cloud:absent.pcd"}, "absent.pcd");
   row("unknown demo", {"--source", "demo:ocean"}, "ocean");

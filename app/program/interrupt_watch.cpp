@@ -1,4 +1,4 @@
-#include "interrupt_watch.h"
+#include "program/interrupt_watch.h"
 
 #include <atomic>
 #include <csignal>
