@@ -9,25 +9,27 @@
 
 namespace boomwatch {
 
-/// The whole chain, frame in, clearance out. Used by one thread.
+/// The whole chain: a frame in, a clearance out. process() passes values from owner to owner; each
+/// owner keeps what it needs of earlier frames. Used by one thread; process() starts threads of its
+/// own and waits for them.
 class Pipeline {
  public:
   /// `maker` makes the trackers; another one in tests.
   explicit Pipeline(TrackerMaker maker = makeTracker);
   ~Pipeline();
 
-  /// Never throws on what a frame holds: a frame that cannot be used gives a result that says why.
-  /// Throws Error when `parameters` contradict each other (see validate).
+  /// Does not throw on the content of a frame: one that cannot be used gives a result with the
+  /// reason. Throws Error when `parameters` contradict each other (see validate).
   Result process(const FramePtr& frame, const Parameters& parameters);
 
-  /// What the operator says about the tool; obeyed with the next frame that has a picture. What
-  /// cannot be obeyed is said in Result::tool.
+  /// The operator's order about the tool. Takes effect with the next frame that has a picture; an
+  /// order that cannot be carried out is reported in Result::tool.
   void order(const ToolOrder& order);
 
   /// Forgets model, history and tool: another source follows.
   void reset();
 
-  /// As the last frame left it; valid until the next process() or reset().
+  /// The model after the last frame; valid until the next process() or reset().
   const EnvironmentModel& model() const;
 
  private:
