@@ -62,6 +62,7 @@ QString misfit(const QJsonValue& value, const QJsonObject& schema, const QString
       if (!wrong.isEmpty()) return wrong;
     }
   }
+  if (!value.isArray()) return {};
   const QJsonArray items = value.toArray();
   if (items.size() < schema["minItems"].toInt(0)) return place + ": too short";
   if (items.size() > schema["maxItems"].toInt(1000)) return place + ": too long";
