@@ -21,13 +21,7 @@ endfunction()
 
 set(page_files "")
 foreach(program IN ITEMS boomwatch boomwatch-lab)
-  if(NOT TARGET ${program})
-    continue()
-  endif()
   install(TARGETS ${program} RUNTIME)
-  if(NOT TARGET boomwatch-lab)
-    continue()  # --print comes with it
-  endif()
   boomwatch_page(${program} man ${program}.1)
   boomwatch_page(${program} completion ${program}.bash)
   list(APPEND page_files ${pages}/${program}.1 ${pages}/${program}.bash)
