@@ -1,5 +1,6 @@
 #include "command_line.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include "pipeline/parameter_checks.h"
 #include "program/program_arguments.h"
 #include "program/program_main.h"
+#include "source_guess.h"
 #include "tracking/tracker.h"
 
 namespace boomwatch {
@@ -151,12 +153,23 @@ void requireLearner(const CommandLine& line) {
   }
 }
 
-void refuseWords(const QStringList& words) {
+/// A recording that is named without its kind, as a desktop names the file that was clicked.
+void readRecording(CommandLine& line, const QStringList& words) {
   if (words.isEmpty()) return;
-  const std::string word = words.constFirst().toStdString();
-  failIfMoved(words.constFirst(), word);
-  throw Error("command line", "'" + word + "' is no option",
-              "Name a recording with --source KIND:PATH; --help lists the kinds.");
+  const QString path = words.constFirst();
+  const std::string word = path.toStdString();
+  failIfMoved(path, word);
+  if (!QFileInfo::exists(path)) {
+    throw Error("command line", "'" + word + "' is neither an option nor a file or folder",
+                "Name a recording with --source KIND:PATH; --help lists the kinds.");
+  }
+  if (words.size() > 1 || !line.source.isEmpty()) {
+    throw Error("command line", "it names '" + word + "' and another recording",
+                "Name one recording.");
+  }
+  // Without a kind, opening it says what to write: in the window, where a person who clicked sees
+  // it.
+  line.source = guessAddress(path).value_or(path);
 }
 
 void readParameters(CommandLine& line, const QCommandLineParser& parser) {
@@ -189,7 +202,7 @@ CommandLine parseCommandLine(const QStringList& arguments) {
   line.output = parser.value(QStringLiteral("output"));
   line.screenshot = parser.value(QStringLiteral("screenshot"));
   line.frames = countOf(parser, "frames");
-  refuseWords(parser.positionalArguments());
+  readRecording(line, parser.positionalArguments());
   readTool(line, parser);
   readParameters(line, parser);
   requireLearner(line);
@@ -197,9 +210,10 @@ CommandLine parseCommandLine(const QStringList& arguments) {
 }
 
 Program boomwatchProgram() {
-  ProgramCommand itself{"", "",
+  ProgramCommand itself{"", "[PATH]",
                         "Boomwatch tells a remote operator how far the load is from hitting "
-                        "something, and whether that number can be trusted.",
+                        "something, and whether that number can be trusted. PATH is a "
+                        "recording; its names tell what kind of source it is.",
                         sourceOptions()};
   append(itself.options, parameterOptions());
   append(itself.options, toolOptions());

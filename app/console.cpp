@@ -25,6 +25,8 @@ void complain(const QString& text) {
 void prepare(QApplication& application) {
   QCoreApplication::setOrganizationName(QStringLiteral("Boomwatch"));
   QCoreApplication::setApplicationName(QStringLiteral("Boomwatch"));
+  // By this the desktop finds the name and the icon of the window.
+  QGuiApplication::setDesktopFileName(QStringLiteral("boomwatch"));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/boomwatch.svg")));
   applyTheme(application, ThemeKind::Dark);
 }

@@ -17,6 +17,12 @@ bool isCloud(const QString& name) {
   return clouds.match(name).hasMatch();
 }
 
+bool isBag(const QString& name) {
+  static const QRegularExpression bags(QStringLiteral("\\.(bag|mcap)$"),
+                                       QRegularExpression::CaseInsensitiveOption);
+  return bags.match(name).hasMatch();
+}
+
 bool isDepth(const QString& name) {
   static const QRegularExpression depths(QStringLiteral("^(depth|depth\\.txt|.*_depth\\.png)$"),
                                          QRegularExpression::CaseInsensitiveOption);
@@ -42,6 +48,8 @@ std::optional<QString> guessAddress(const QString& path) {
     return QStringLiteral("map:") + info.absoluteFilePath();
   }
   if (isCloud(info.fileName())) return QStringLiteral("cloud:") + info.absoluteFilePath();
+  // A bag is a recording of its own, whatever lies beside it, and cannot be opened.
+  if (isBag(info.fileName())) return std::nullopt;
   // One picture, video or list out of a recording stands for the recording.
   return guessFolder(info.absolutePath());
 }
