@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "tracking/flow_tuning.h"
+
 namespace boomwatch {
 namespace {
 
-constexpr int pyramidLevels = 4;
-// What the search for a point can reach over all levels, and the box's own size, must be inside.
-constexpr double margin = 64.0;  // pixels
+constexpr FlowTuning tuning;
 
 }  // namespace
 
 cv::Rect flowRegion(const cv::Rect2d& box, cv::Size image) {
-  const double reach = std::max({box.width, box.height, margin});
+  const double reach = std::max({box.width, box.height, tuning.minMargin});
   const cv::Rect2d grown(box.x - reach, box.y - reach, box.width + 2 * reach,
                          box.height + 2 * reach);
   const cv::Rect2d part = grown & cv::Rect2d(0, 0, image.width, image.height);
@@ -23,7 +23,7 @@ cv::Rect flowRegion(const cv::Rect2d& box, cv::Size image) {
 std::vector<FollowedPoint> followInside(const cv::Mat& before, const cv::Mat& after,
                                         const std::vector<cv::Point2f>& points, cv::Size window) {
   std::vector<FollowedPoint> followed =
-      followPoints(before, after, points, {.window = window, .levels = pyramidLevels});
+      followPoints(before, after, points, {.window = window, .levels = tuning.pyramidLevels});
   const cv::Rect2f inside({}, cv::Size2f(after.size()));
   std::erase_if(followed, [&](const auto& point) { return !inside.contains(point.position); });
   return followed;

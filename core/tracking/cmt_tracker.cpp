@@ -9,28 +9,13 @@
 
 #include "base/error.h"
 #include "tracking/box_flow.h"
+#include "tracking/cmt_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr std::size_t minModelPoints = 6;
-// Of the target's points must agree. Published is 0.1, of fewer points than are taken here.
-constexpr double minShare = 0.05;
-constexpr std::size_t minAgreeing = 5;
-// Of the points seen in the image before must be seen in this: on what has taken the target's
-// place, Lucas-Kanade carries some of them on.
-constexpr double minSurvival = 0.25;
-// A match must be this much nearer than the next, as published (descriptors of 512 bits).
-constexpr double matchRatio = 0.8;
-constexpr int maxDistance = 128;
-// One corner is detected in several sizes: as close as this, two are no rivals.
-constexpr double sameSpot = 6.0;  // pixels
-// Votes for the centre that belong together, as published; less for small targets.
-constexpr double maxReach = 20.0;   // pixels
-constexpr double reachShare = 0.3;  // of the box
-constexpr double maxReturn = 3.0;   // forward-backward error, pixels
-const cv::Size window(15, 15);
-constexpr double maxScale = 8.0;
+constexpr CmtTuning tuning;
+const cv::Size window(tuning.window, tuning.window);
 
 /// In the ellipse that fills the box: what lies in the box's corners is seldom the target.
 bool isInEllipse(const cv::Rect2d& box, const cv::Point2d& point) {
@@ -40,7 +25,9 @@ bool isInEllipse(const cv::Rect2d& box, const cv::Point2d& point) {
 
 /// Where the target can be in the next image.
 cv::Rect2d grown(const cv::Rect2d& box) {
-  return {box.x - box.width / 4, box.y - box.height / 4, 1.5 * box.width, 1.5 * box.height};
+  const double share = tuning.grown, scale = 1.0 + 2.0 * share;
+  return {box.x - share * box.width, box.y - share * box.height, scale * box.width,
+          scale * box.height};
 }
 
 }  // namespace
@@ -57,7 +44,7 @@ void CmtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
     return isInEllipse(box, seen.positions[static_cast<std::size_t>(i)]);
   });
   const auto size = static_cast<std::size_t>(background - order.begin());
-  if (size < minModelPoints) {
+  if (size < tuning.minModelPoints) {
     throw Error("tool box", "there are too few corners in it to follow",
                 "Draw it around a part with more texture, or choose another tracker.");
   }
@@ -90,7 +77,7 @@ std::vector<KeypointPair> CmtTracker::followed(const cv::Mat& grey) const {
   for (const KeypointPair& point : m_active) before.emplace_back(point.position - origin);
   std::vector<KeypointPair> points;
   for (const FollowedPoint& point : followInside(m_before(part), grey(part), before, window)) {
-    if (point.error > maxReturn) continue;
+    if (point.error > tuning.maxReturn) continue;
     const KeypointPair& active = m_active[point.index];
     points.push_back({active.id, active.model, cv::Point2d(point.position) + origin});
   }
@@ -105,29 +92,29 @@ std::vector<int> CmtTracker::alike(const KeypointFeatures& seen) const {
   cv::BFMatcher(cv::NORM_HAMMING).match(seen.descriptors, target, matches);
   std::vector<int> rows;
   for (const cv::DMatch& match : matches) {
-    if (match.distance <= maxDistance) rows.push_back(match.queryIdx);
+    if (match.distance <= tuning.maxDistance) rows.push_back(match.queryIdx);
   }
   return rows;
 }
 
 /// Static correspondences: what of the first image's target is seen, wherever it is.
 std::vector<KeypointPair> CmtTracker::matched(const KeypointFeatures& seen) const {
-  constexpr int rivals = 4;
   const std::vector<int> rows = alike(seen);
   cv::Mat descriptors;
   for (const int row : rows) descriptors.push_back(seen.descriptors.row(row));
   std::vector<std::vector<cv::DMatch>> matches;
-  cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptors, m_descriptors, matches, rivals);
+  cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptors, m_descriptors, matches, tuning.rivals);
   std::vector<const cv::DMatch*> best(m_model.size(), nullptr);
   for (const auto& nearest : matches) {
-    if (nearest.empty() || nearest.front().distance > maxDistance) continue;
+    if (nearest.empty() || nearest.front().distance > tuning.maxDistance) continue;
     const cv::DMatch& first = nearest.front();
     const auto id = static_cast<std::size_t>(first.trainIdx);
     if (id >= m_model.size()) continue;
     const auto rival = std::find_if(nearest.begin() + 1, nearest.end(), [&](const cv::DMatch& m) {
-      return cv::norm(m_known[static_cast<std::size_t>(m.trainIdx)] - m_known[id]) > sameSpot;
+      return cv::norm(m_known[static_cast<std::size_t>(m.trainIdx)] - m_known[id]) >
+             tuning.sameSpot;
     });
-    if (rival != nearest.end() && first.distance > matchRatio * rival->distance) continue;
+    if (rival != nearest.end() && first.distance > tuning.matchRatio * rival->distance) continue;
     if (!best[id] || first.distance < best[id]->distance) best[id] = &first;
   }
   std::vector<KeypointPair> points;
@@ -150,7 +137,7 @@ void CmtTracker::addNear(const KeypointFeatures& seen, KeypointConsensus& consen
   for (std::size_t id = 0; id < m_model.size(); ++id) {
     if (known[id]) continue;
     const cv::Point2d place = placeOf(consensus.pose, m_model[id]);
-    int nearest = maxDistance;
+    int nearest = tuning.maxDistance;
     std::optional<cv::Point2d> position;
     for (std::size_t i = 0; i < seen.positions.size(); ++i) {
       const cv::Point2d off = seen.positions[i] - place;
@@ -167,7 +154,7 @@ void CmtTracker::addNear(const KeypointFeatures& seen, KeypointConsensus& consen
 }
 
 double CmtTracker::reach() const {
-  return std::min(maxReach, reachShare * std::sqrt(m_size.area()));
+  return std::min(tuning.maxReach, tuning.reachShare * std::sqrt(m_size.area()));
 }
 
 cv::Rect2d CmtTracker::boxAt(const KeypointPose& pose) const {
@@ -178,11 +165,12 @@ cv::Rect2d CmtTracker::boxAt(const KeypointPose& pose) const {
 }
 
 bool CmtTracker::isCredible(const KeypointConsensus& consensus, cv::Size image) const {
-  const double needed =
-      std::max({static_cast<double>(minAgreeing), minShare * static_cast<double>(m_model.size()),
-                minSurvival * static_cast<double>(m_active.size())});
+  const double needed = std::max({static_cast<double>(tuning.minAgreeing),
+                                  tuning.minShare * static_cast<double>(m_model.size()),
+                                  tuning.minSurvival * static_cast<double>(m_active.size())});
   const cv::Rect2d box = boxAt(consensus.pose);
-  const bool sized = consensus.pose.scale > 1.0 / maxScale && consensus.pose.scale < maxScale;
+  const bool sized =
+      consensus.pose.scale > 1.0 / tuning.maxScale && consensus.pose.scale < tuning.maxScale;
   return sized && static_cast<double>(consensus.points.size()) >= needed &&
          !(box & cv::Rect2d(0, 0, image.width, image.height)).empty();
 }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "tracking/colour_layout_tuning.h"
 #include "tracking/detection.h"
 #include "tracking/picture_halves.h"
 
@@ -15,28 +16,7 @@ namespace {
 using Place = ColourLayout::Place;
 using Views = std::vector<cv::Mat>;
 
-constexpr double cellsOfLongSide = 8.0;
-constexpr int minCells = 3;
-constexpr double step = 1.2;          // between two sizes
-constexpr int steps = 4;              // to either side
-constexpr double minDeviation = 0.5;  // of a cell's Lab: below, all is alike
-constexpr int placesOfALevel = 3;
-constexpr std::size_t maxPlaces = 8;
-constexpr double onTool = 0.4;     // overlap
-constexpr double samePlace = 0.5;  // of the smaller of two boxes
-// A view less alike than this is another side of the tool; one still less may be something else.
-constexpr double newView = 0.8, sureView = 0.5;
-constexpr std::size_t maxViews = 8;
-constexpr std::size_t minObserved = 8, maxObserved = 80;
-constexpr double rightShare = 0.9;
-// How far above the best of the others, towards the tool's own median. Measured on seven yards in
-// which the tool goes away and comes back turned: at 0.33 it is found in 22 of 28 cases, at 0.15
-// in nearly all, with no more boxes while it is away.
-constexpr double ownShare = 0.15;
-// Explains less than a quarter of what is seen: nothing is that, however unlike all else was.
-constexpr double minScore = 0.5;
-constexpr double deniedShare = 0.5;           // of the threshold
-constexpr double margin = 0.02, lead = 0.05;  // of scores
+constexpr ColourLayoutTuning tuning;
 
 /// Lab, L 0..100.
 cv::Mat labOf(const cv::Mat& image) {
@@ -52,8 +32,9 @@ cv::Mat labOf(const cv::Mat& image) {
 cv::Mat unitOf(const cv::Mat& lab) {
   const cv::Mat varying = lab - cv::mean(lab);
   const double length = cv::norm(varying);
-  return length > minDeviation * std::sqrt(lab.total()) ? cv::Mat(varying / length)
-                                                        : cv::Mat::zeros(lab.size(), lab.type());
+  return length > tuning.minDeviation * std::sqrt(lab.total())
+             ? cv::Mat(varying / length)
+             : cv::Mat::zeros(lab.size(), lab.type());
 }
 
 /// Standard deviation of the colours of each window of `cells`, times the root of their number.
@@ -63,7 +44,7 @@ cv::Mat lengthsIn(const cv::Mat& lab, cv::Size cells) {
   cv::sqrBoxFilter(lab, squares, CV_32F, cells, {0, 0}, true, cv::BORDER_REPLICATE);
   cv::transform(squares - means.mul(means), variance, cv::Matx13f::ones());
   cv::Mat lengths;
-  cv::sqrt(cv::max(variance, minDeviation * minDeviation) * cells.area(), lengths);
+  cv::sqrt(cv::max(variance, tuning.minDeviation * tuning.minDeviation) * cells.area(), lengths);
   return lengths;
 }
 
@@ -109,7 +90,7 @@ void addPlacesOf(const cv::Mat& level, const Views& views, cv::Size image,
   cv::Mat scores = scoresIn(labOf(level), views);
   const double x = static_cast<double>(image.width) / level.cols;
   const double y = static_cast<double>(image.height) / level.rows;
-  for (int k = 0; k < placesOfALevel; ++k) {
+  for (int k = 0; k < tuning.placesOfALevel; ++k) {
     double score = 0.0;
     cv::Point at;
     cv::minMaxLoc(scores, nullptr, &score, nullptr, &at);
@@ -128,15 +109,15 @@ cv::Rect2d moved(const cv::Rect2d& box, cv::Point2d shift, double scale) {
 
 /// Also a part of the tool looks a little like it, and is no other place.
 bool isSamePlace(const cv::Rect2d& one, const cv::Rect2d& other) {
-  return (one & other).area() > samePlace * std::min(one.area(), other.area());
+  return (one & other).area() > tuning.samePlace * std::min(one.area(), other.area());
 }
 
 }  // namespace
 
 void ColourLayout::begin(const cv::Mat& image, const cv::Rect2d& box) {
-  const double cell = std::max(box.width, box.height) / cellsOfLongSide;
-  m_cells = {std::max(minCells, cvRound(box.width / cell)),
-             std::max(minCells, cvRound(box.height / cell))};
+  const double cell = std::max(box.width, box.height) / tuning.cellsOfLongSide;
+  m_cells = {std::max(tuning.minCells, cvRound(box.width / cell)),
+             std::max(tuning.minCells, cvRound(box.height / cell))};
   m_size = box.size();
   m_views.clear();
   m_observed.clear();
@@ -148,8 +129,8 @@ std::vector<Place> ColourLayout::places(const cv::Mat& image) const {
   if (m_views.empty()) return {};
   std::vector<Place> found;
   PictureHalves halves(image);
-  for (int exponent = -steps; exponent <= steps; ++exponent) {
-    const double scale = std::pow(step, exponent);
+  for (int exponent = -tuning.scales; exponent <= tuning.scales; ++exponent) {
+    const double scale = std::pow(tuning.scaleStep, exponent);
     const cv::Size level(cvRound(image.cols * m_cells.width / (m_size.width * scale)),
                          cvRound(image.rows * m_cells.height / (m_size.height * scale)));
     if (level.width > image.cols || level.height > image.rows) continue;
@@ -159,7 +140,7 @@ std::vector<Place> ColourLayout::places(const cv::Mat& image) const {
   std::ranges::stable_sort(found, std::greater(), &Place::score);
   std::vector<Place> apart;
   for (const Place& place : found) {
-    if (apart.size() == maxPlaces) break;
+    if (apart.size() == tuning.maxPlaces) break;
     const bool isNew = std::ranges::none_of(
         apart, [&](const Place& other) { return isSamePlace(place.box, other.box); });
     if (isNew) apart.push_back(place);
@@ -189,7 +170,8 @@ Place ColourLayout::refined(const cv::Mat& image, const Place& place) const {
                     1.0));
     }
     const cv::Rect2d shifted = best.box;
-    for (const int grow : {-1, 1}) attempt(moved(shifted, {}, std::pow(step, grow * part)));
+    for (const int grow : {-1, 1})
+      attempt(moved(shifted, {}, std::pow(tuning.scaleStep, grow * part)));
   }
   return best;
 }
@@ -199,32 +181,34 @@ void ColourLayout::observe(const cv::Mat& image, const std::vector<Place>& place
   if (places.empty()) return;
   Observation seen;
   for (const Place& place : places) {
-    if (overlap(place.box, box) >= onTool) seen.own = std::max(seen.own, place.score);
+    if (overlap(place.box, box) >= tuning.onTool) seen.own = std::max(seen.own, place.score);
     if (!isSamePlace(place.box, box)) seen.other = std::max(seen.other, place.score);
   }
   m_size = box.size();
   m_observed.push_back(seen);
-  if (m_observed.size() > maxObserved) m_observed.pop_front();
-  if (seen.own < seen.other || m_views.size() == maxViews) return;
+  if (m_observed.size() > tuning.maxObserved) m_observed.pop_front();
+  if (seen.own < seen.other || m_views.size() == tuning.maxViews) return;
   const double score = scoreOf(image, box);
-  if (score > sureView && score < newView) m_views.push_back(viewOf(image, box, m_cells));
+  if (score > tuning.sureView && score < tuning.newView)
+    m_views.push_back(viewOf(image, box, m_cells));
 }
 
 std::optional<double> ColourLayout::threshold() const {
-  if (m_observed.size() < minObserved) return std::nullopt;
+  if (m_observed.size() < tuning.minObserved) return std::nullopt;
   std::vector<double> own;
   double other = -1.0;
   for (const Observation& one : m_observed) {
     if (one.own > one.other) own.push_back(one.own);
     other = std::max(other, one.other);
   }
-  if (own.size() < rightShare * static_cast<double>(m_observed.size())) return std::nullopt;
-  return std::max(minScore, other + std::max(margin, ownShare * (medianOf(own) - other)));
+  if (own.size() < tuning.rightShare * static_cast<double>(m_observed.size())) return std::nullopt;
+  return std::max(tuning.minScore,
+                  other + std::max(tuning.margin, tuning.ownShare * (medianOf(own) - other)));
 }
 
 bool ColourLayout::denies(const cv::Mat& image, const cv::Rect2d& box) const {
   const auto least = threshold();
-  return least && scoreOf(image, box) < deniedShare * *least;
+  return least && scoreOf(image, box) < tuning.deniedShare * *least;
 }
 
 std::optional<Place> ColourLayout::toolIn(const cv::Mat& image,
@@ -233,7 +217,8 @@ std::optional<Place> ColourLayout::toolIn(const cv::Mat& image,
   if (!least || places.empty() || places.front().score < *least) return std::nullopt;
   const Place best = refined(image, places[0]);
   // Half a cell off, a second one just like it would look less alike.
-  if (places.size() > 1 && best.score < refined(image, places[1]).score + lead) return std::nullopt;
+  if (places.size() > 1 && best.score < refined(image, places[1]).score + tuning.lead)
+    return std::nullopt;
   return best;
 }
 

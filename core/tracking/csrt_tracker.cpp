@@ -6,18 +6,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "tracking/csrt_tuning.h"
 
 namespace boomwatch {
 namespace {
-
-// Measured on six recordings with ground truth: of the boxes on the target less than 1 in 500 has a
-// smaller one; of those beside it 5 in 6 do, unless the box slid off slowly.
-constexpr double minConfidence = 0.5;
-// A view that is like a known one, but not the same, is worth keeping.
-constexpr double surelyTarget = 0.6, sameView = 0.92;
-constexpr std::size_t maxViews = 40;
-const cv::Size viewSize(20, 20);
-constexpr double minContrast = 2.0;  // grey levels
+constexpr CsrtTuning tuning;
+const cv::Size viewSize(tuning.viewSide, tuning.viewSide);
 
 double contrastOf(const cv::Mat& grey) {
   cv::Scalar mean, deviation;
@@ -43,7 +37,7 @@ cv::Mat viewOf(const cv::Mat& image, const cv::Rect& box) {
 void CsrtTracker::start(const cv::Mat& image, const cv::Rect2d& box) {
   requireStart(image, box);
   const cv::Rect rounded = cv::Rect(box) & cv::Rect({}, image.size());
-  if (contrastOf(greyOf(image(rounded))) < minContrast) {
+  if (contrastOf(greyOf(image(rounded))) < tuning.minContrast) {
     throw Error("tool box", "there is nothing in it to follow: it has no texture",
                 "Draw it around a part with edges or corners.");
   }
@@ -72,17 +66,17 @@ double CsrtTracker::confidenceIn(const cv::Mat& image, const cv::Rect& box) {
     cv::matchTemplate(view, known, ncc, cv::TM_CCOEFF_NORMED);
     confidence = std::max<double>(confidence, ncc.at<float>(0));
   }
-  if (confidence >= surelyTarget && confidence < sameView) keepView(view);
+  if (confidence >= tuning.surelyTarget && confidence < tuning.sameView) keepView(view);
   return std::min(confidence, 1.0);
 }
 
 void CsrtTracker::keepView(const cv::Mat& view) {
-  if (m_views.size() < maxViews) {
+  if (m_views.size() < tuning.maxViews) {
     m_views.push_back(view);
     return;
   }
   // The first view stays: it is the only one that a person pointed at.
-  m_replace = m_replace % (maxViews - 1) + 1;
+  m_replace = m_replace % (tuning.maxViews - 1) + 1;
   m_views[m_replace] = view;
 }
 
@@ -93,14 +87,15 @@ Track CsrtTracker::track(const cv::Mat& image) {
   double confidence = 0.0;
   try {
     // An image without contrast would only teach it darkness.
-    if (isTrackable(image) && image.size() == m_size && contrastOf(greyOf(image)) >= minContrast) {
+    if (isTrackable(image) && image.size() == m_size &&
+        contrastOf(greyOf(image)) >= tuning.minContrast) {
       const cv::Mat fitting = withChannels(image, m_channels);
       if (m_engine->update(fitting, box)) confidence = confidenceIn(fitting, box);
     }
   } catch (const cv::Exception&) {
     confidence = 0.0;
   }
-  const bool seenBefore = std::exchange(m_seen, confidence >= minConfidence);
+  const bool seenBefore = std::exchange(m_seen, confidence >= tuning.minConfidence);
   if (!m_seen) return Track::lost();
   return {seenBefore ? TrackState::Tracked : TrackState::Refound, cv::Rect2d(box), confidence,
           LearningState::None};

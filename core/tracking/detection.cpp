@@ -4,16 +4,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tracking/fern_scan.h"
+#include "tracking/tld_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr std::size_t maxCandidates = 100;
-constexpr double strideShare = 0.1;  // of the window, as in the paper
-constexpr std::size_t maxDetections = 5;
-constexpr double sameOverlap = 0.5;
+constexpr TldTuning tuning;
 
-int strideOf(int side) { return std::max(1, cvRound(strideShare * side)); }
+int strideOf(int side) { return std::max(1, cvRound(tuning.strideShare * side)); }
 
 /// Sum over a window from an integral image.
 template <class Sum>
@@ -61,8 +59,8 @@ void scanLevel(const ScanLevels& levels, int index, const ToolClassifier& tool,
         if (!isRead) scan.read(row, first, codes);
         isRead = true;
         const float share =
-            tool.ferns().of(codes[static_cast<std::size_t>(window - first)], fernThreshold);
-        if (share < fernThreshold) continue;
+            tool.ferns().of(codes[static_cast<std::size_t>(window - first)], tuning.fernThreshold);
+        if (share < tuning.fernThreshold) continue;
         const ScanWindow place{index, corner};
         found.push_back({levels.boxOf(place), place, share, {}});
       }
@@ -83,7 +81,7 @@ std::vector<Candidate> findCandidates(const ScanLevels& levels, const ToolClassi
     scanLevel(levels, static_cast<int>(i), tool, found);
   }
   std::ranges::stable_sort(found, std::greater(), &Candidate::share);
-  if (found.size() > maxCandidates) found.resize(maxCandidates);
+  if (found.size() > tuning.maxCandidates) found.resize(tuning.maxCandidates);
   for (Candidate& candidate : found) {
     candidate.likeness = tool.likeness(levels.patchOf(candidate.window));
   }
@@ -93,17 +91,17 @@ std::vector<Candidate> findCandidates(const ScanLevels& levels, const ToolClassi
 std::vector<Detection> clusterDetections(const std::vector<Candidate>& candidates) {
   std::vector<Candidate> left;
   std::ranges::copy_if(candidates, std::back_inserter(left), [](const Candidate& candidate) {
-    return candidate.likeness.relative >= toolThreshold;
+    return candidate.likeness.relative >= tuning.toolThreshold;
   });
   std::ranges::stable_sort(left, std::greater(),
                            [](const Candidate& candidate) { return candidate.likeness.relative; });
   std::vector<Detection> detections;
-  while (!left.empty() && detections.size() < maxDetections) {
+  while (!left.empty() && detections.size() < tuning.maxDetections) {
     const Candidate best = left.front();
     cv::Rect2d sum;
     double weights = 0.0;
     std::erase_if(left, [&](const Candidate& candidate) {
-      if (overlap(candidate.box, best.box) < sameOverlap) return false;
+      if (overlap(candidate.box, best.box) < tuning.sameOverlap) return false;
       sum.x += candidate.box.x;
       sum.y += candidate.box.y;
       sum.width += candidate.box.width;

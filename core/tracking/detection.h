@@ -22,11 +22,6 @@ struct Detection {
   Likeness likeness;  ///< of the best of them
 };
 
-/// Share of the tool from which the ferns pass a window on, and learn it if it is not the tool.
-inline constexpr float fernThreshold = 0.5F;
-/// Relative likeness from which a window is the tool.
-inline constexpr float toolThreshold = 0.65F;
-
 /// Intersection over union.
 double overlap(const cv::Rect2d& one, const cv::Rect2d& other);
 

@@ -6,9 +6,12 @@
 #include <numeric>
 
 #include "base/median.h"
+#include "tracking/cmt_tuning.h"
 
 namespace boomwatch {
 namespace {
+
+constexpr CmtTuning tuning;
 
 cv::Point2d turned(const cv::Point2d& p, double angle, double scale) {
   const double c = std::cos(angle) * scale, s = std::sin(angle) * scale;
@@ -40,7 +43,7 @@ std::optional<KeypointPose> pairwisePose(const std::vector<KeypointPair>& points
       const cv::Point2d now = points[i].position - points[j].position;
       const double length = cv::norm(before), lengthNow = cv::norm(now);
       // Points this close say nothing of either.
-      if (length < 1.0 || lengthNow < 0.5) continue;
+      if (length < tuning.minApart || lengthNow < tuning.minApartNow) continue;
       scales.push_back(lengthNow / length);
       rotations.push_back(std::atan2(before.cross(now), before.dot(now)));
     }

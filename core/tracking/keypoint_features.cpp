@@ -1,20 +1,15 @@
 #include "tracking/keypoint_features.h"
 
 #include <algorithm>
-#include <array>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "tracking/cmt_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr int threshold = 15;  // grey levels, after the contrast was brought to the full range
-constexpr std::array sizes{1.0, 1.5, 2.25};
-// The strongest corners of every cell of the image, and of every cell of the dense part.
-constexpr int cellsAcross = 16, cellsDown = 12, keptInCell = 2;
-constexpr int denseCells = 6, keptInDenseCell = 4;
-// BRISK describes no corner whose surroundings reach outside.
-constexpr int border = 32;
+constexpr CmtTuning tuning;
 
 /// The `kept` strongest of every cell of a grid over `part`; of no place outside it.
 void keepStrongest(std::vector<cv::KeyPoint>& points, const cv::Rect2d& part, cv::Size grid,
@@ -34,7 +29,7 @@ std::vector<cv::KeyPoint> cornersIn(const cv::Mat& image, double size) {
   cv::Mat small = image;
   if (size > 1.0) cv::resize(image, small, {}, 1.0 / size, 1.0 / size, cv::INTER_AREA);
   std::vector<cv::KeyPoint> points;
-  cv::FAST(small, points, threshold);
+  cv::FAST(small, points, tuning.cornerThreshold);
   for (cv::KeyPoint& point : points) {
     // Pixel centres, not corners, keep their place.
     point.pt = (point.pt + cv::Point2f(0.5F, 0.5F)) * size - cv::Point2f(0.5F, 0.5F);
@@ -46,8 +41,8 @@ std::vector<cv::KeyPoint> cornersIn(const cv::Mat& image, double size) {
 
 /// The pixels that corners in `part`, and what surrounds these, are made of.
 cv::Rect around(const cv::Rect2d& part, cv::Size image) {
-  const cv::Rect2d grown(part.x - border, part.y - border, part.width + 2 * border,
-                         part.height + 2 * border);
+  const cv::Rect2d grown(part.x - tuning.border, part.y - tuning.border,
+                         part.width + 2 * tuning.border, part.height + 2 * tuning.border);
   const cv::Rect2d seen = grown & cv::Rect2d({}, cv::Size2d(image));
   return {cv::Point(cvFloor(seen.x), cvFloor(seen.y)),
           cv::Point(cvFloor(seen.br().x), cvFloor(seen.br().y))};
@@ -71,18 +66,22 @@ KeypointFeatures keypointsOf(const cv::Mat& grey, const cv::Rect2d& dense, Keypo
   const cv::Rect2d whole({}, cv::Size2d(image.size()));
   const cv::Rect2d part = (dense - cv::Point2d(area.tl())) & whole;
   std::vector<cv::KeyPoint> points;
-  for (const double size : sizes) {
+  for (const double size : tuning.sizes) {
     if (image.cols < 8 * size || image.rows < 8 * size) continue;
     std::vector<cv::KeyPoint> found = cornersIn(image, size);
     if (!part.empty()) {
-      keepStrongest(found, part, {denseCells, denseCells}, keptInDenseCell, points);
+      keepStrongest(found, part, {tuning.denseCells, tuning.denseCells}, tuning.keptInDenseCell,
+                    points);
       std::erase_if(found, [&](const auto& point) { return part.contains(cv::Point2d(point.pt)); });
     }
-    if (everywhere) keepStrongest(found, whole, {cellsAcross, cellsDown}, keptInCell, points);
+    if (everywhere)
+      keepStrongest(found, whole, {tuning.cellsAcross, tuning.cellsDown}, tuning.keptInCell,
+                    points);
   }
   cv::Mat padded;
-  cv::copyMakeBorder(image, padded, border, border, border, border, cv::BORDER_REPLICATE);
-  const cv::Point2f offset(border, border);
+  cv::copyMakeBorder(image, padded, tuning.border, tuning.border, tuning.border, tuning.border,
+                     cv::BORDER_REPLICATE);
+  const cv::Point2f offset(tuning.border, tuning.border);
   for (cv::KeyPoint& point : points) point.pt += offset;
   KeypointFeatures features;
   descriptor().compute(padded, points, features.descriptors);

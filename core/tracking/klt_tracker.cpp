@@ -3,22 +3,18 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "tracking/flow_tuning.h"
 #include "tracking/median_flow.h"
 
 namespace boomwatch {
 namespace {
-
-// Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
-constexpr double maxResidual = 10.0;  // pixels
-constexpr double minSimilarity = 0.5;
-// Less of the box than this inside the picture is not enough to go by.
-constexpr double minShareInside = 0.25;
+constexpr FlowTuning tuning;
 
 bool isCredible(const MedianFlow& flow, cv::Size image) {
   const cv::Rect2d inside = flow.box & cv::Rect2d(0, 0, image.width, image.height);
-  return flow.residual <= maxResidual && flow.similarity >= minSimilarity &&
+  return flow.residual <= tuning.maxResidual && flow.similarity >= tuning.minSimilarity &&
          std::min(flow.box.width, flow.box.height) >= Tracker::minSide / 2 &&
-         inside.area() >= minShareInside * flow.box.area();
+         inside.area() >= tuning.minShareInside * flow.box.area();
 }
 
 }  // namespace

@@ -1,34 +1,21 @@
 #include "tracking/last_appearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "tracking/detection.h"
+#include "tracking/last_appearance_tuning.h"
 #include "tracking/patch_cutter.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr double rim = 0.25;         // of the box, on each side
-constexpr double side = 24.0;        // pixels of the patch, about
-constexpr double minShown = 0.9;     // of the tool: a half that goes out looks like many a thing
-constexpr int minPatch = 8;          // pixels
-constexpr double minVariance = 1.0;  // grey values squared: less looks like everything
-constexpr std::array sizes{1.0, 0.9, 1.11, 0.8, 1.23};  // of what it was
-
-// Found on Kalal's, OTB's and OpenCV's sequences with the target taken out for a while: where it
-// comes back 0.65 to 0.95; without it up to 0.8 with, but below 0.6 without the rim where that is
-// another thing in the same place.
-constexpr double alike = 0.65;
-constexpr double lead = 0.05;  // before any other place, and before all since it was lost
-constexpr double samePlace = 0.5;
-constexpr std::size_t comesBackIn = 8;  // images, from behind what covered it
+constexpr LastAppearanceTuning tuning;
 
 cv::Rect2d withRim(const cv::Rect2d& box) {
-  return {box.x - rim * box.width, box.y - rim * box.height, (1 + 2 * rim) * box.width,
-          (1 + 2 * rim) * box.height};
+  return {box.x - tuning.rim * box.width, box.y - tuning.rim * box.height,
+          (1 + 2 * tuning.rim) * box.width, (1 + 2 * tuning.rim) * box.height};
 }
 
 double correlation(const cv::Mat& image, const cv::Mat& patch) {
@@ -43,15 +30,15 @@ double correlation(const cv::Mat& image, const cv::Mat& patch) {
 
 void LastAppearance::remember(const cv::Mat& grey, const cv::Rect2d& box) {
   const cv::Rect seen = cv::Rect(withRim(box)) & cv::Rect({}, grey.size());
-  const double scale = std::min(1.0, side / std::sqrt(withRim(box).area()));
+  const double scale = std::min(1.0, tuning.side / std::sqrt(withRim(box).area()));
   const cv::Size size(cvRound(seen.width * scale), cvRound(seen.height * scale));
   const double shown = (box & cv::Rect2d(seen)).area();
-  if (std::min(size.width, size.height) < minPatch || shown < minShown * box.area()) {
+  if (std::min(size.width, size.height) < tuning.minPatch || shown < tuning.minShown * box.area()) {
     return;
   }
   cv::Mat patch;
   cv::resize(grey(seen), patch, size, 0.0, 0.0, cv::INTER_AREA);
-  if (varianceOf(patch) < minVariance) return;
+  if (varianceOf(patch) < tuning.minVariance) return;
   m_patch = patch;
   m_scale = scale;
   m_tool = {(box.x - seen.x) * scale, (box.y - seen.y) * scale, box.width * scale,
@@ -117,18 +104,19 @@ std::optional<LastAppearance::Place> LastAppearance::bestOf(
 std::optional<cv::Rect2d> LastAppearance::find(const cv::Mat& grey) {
   if (m_patch.empty()) return std::nullopt;
   std::vector<Level> levels;
-  levels.reserve(std::size(sizes));
-  for (const double size : sizes) levels.push_back(levelOf(grey, size));
+  levels.reserve(std::size(tuning.sizes));
+  for (const double size : tuning.sizes) levels.push_back(levelOf(grey, size));
   const std::optional<Place> best = bestOf(levels);
   if (!best) return std::nullopt;
-  const bool back = m_likest && best->toolAlone >= alike &&
-                    best->likeness >= std::max(alike, std::max(best->second, *m_likest) + lead);
+  const bool back =
+      m_likest && best->toolAlone >= tuning.alike &&
+      best->likeness >= std::max(tuning.alike, std::max(best->second, *m_likest) + tuning.lead);
   m_lately.push_back(best->likeness);
-  if (m_lately.size() > comesBackIn) {
+  if (m_lately.size() > tuning.comesBackIn) {
     m_likest = std::max(m_likest.value_or(-1.0), m_lately.front());
     m_lately.pop_front();
   }
-  const bool twice = back && m_last && overlap(m_last->box, best->box) >= samePlace;
+  const bool twice = back && m_last && overlap(m_last->box, best->box) >= tuning.samePlace;
   m_last = back ? best : std::nullopt;
   return twice ? std::optional(best->box) : std::nullopt;
 }
@@ -142,7 +130,7 @@ bool LastAppearance::recognises(const cv::Mat& grey, const cv::Rect2d& box) cons
   if ((seen & cv::Rect({}, grey.size())) != seen || seen.empty()) return false;
   cv::Mat now;
   cv::resize(grey(seen), now, m_patch.size(), 0.0, 0.0, cv::INTER_AREA);
-  return correlation(now, m_patch) >= alike && toolAlone(now, {}) >= alike;
+  return correlation(now, m_patch) >= tuning.alike && toolAlone(now, {}) >= tuning.alike;
 }
 
 }  // namespace boomwatch

@@ -15,7 +15,7 @@ class LearntPatches {
   bool empty() const { return m_patches.empty(); }
 
   /// Likeness to the most alike patch among the first `share` of all, 0..1 (half the correlation
-  /// plus a half); 0 when there is none. `normalised`: see tool_patch.h.
+  /// plus a half); 0 when there is none. `normalised`: see patch_cutter.h.
   float likeness(const Eigen::VectorXf& normalised, double share = 1.0) const;
 
   /// Copies `patch` into the set. In a full set, the younger of the two patches that are most alike

@@ -7,20 +7,16 @@
 
 #include "base/median.h"
 #include "tracking/box_flow.h"
+#include "tracking/flow_tuning.h"
 
 namespace boomwatch {
 namespace {
 
+constexpr FlowTuning tuning;
+
 constexpr int gridSide = FlowCells::side;
-// Of the cells of a box at least so many are asked.
-constexpr std::size_t minReliable = 25;
-constexpr float mostlyTogether = 0.4F;
-// What stands still is this far from a box that moves, pixels.
-constexpr double clearMotion = 1.5;
-constexpr double togetherShare = 0.5;  // of the motion, by which what goes together may differ
-constexpr std::size_t minPoints = 6;
-const cv::Size window(9, 9);
-const cv::Size patchSize(11, 11);
+const cv::Size window(tuning.window, tuning.window);
+const cv::Size patchSize(tuning.patch, tuning.patch);
 
 /// A point in both images.
 struct Match {
@@ -105,20 +101,24 @@ void noteDown(const std::vector<Match>& matches, const cv::Rect2d& before, const
               FlowCells& cells) {
   const cv::Point2d from = (before.tl() + before.br()) * 0.5, to = (after.tl() + after.br()) * 0.5;
   const double motion = cv::norm(to - from), scale = after.width / before.width;
-  if (motion < clearMotion) return;
+  if (motion < tuning.clearMotion) return;
   for (const Match& match : matches) {
     const cv::Point2d expected = to + scale * (cv::Point2d(match.before) - from);
     const double apart = cv::norm(cv::Point2d(match.after) - expected);
-    cells.note(match.cell, apart < togetherShare * motion);
+    cells.note(match.cell, apart < tuning.togetherShare * motion);
   }
 }
 
 }  // namespace
 
+void FlowCells::note(std::size_t cell, bool together) {
+  m_together[cell] += tuning.cellRate * ((together ? 1.0F : 0.0F) - m_together[cell]);
+}
+
 std::array<bool, FlowCells::count> FlowCells::reliable() const {
   std::array<float, count> best = m_together;
-  std::ranges::nth_element(best, best.begin() + minReliable - 1, std::greater());
-  const float least = std::min(mostlyTogether, best[minReliable - 1]);
+  std::ranges::nth_element(best, best.begin() + tuning.minReliable - 1, std::greater());
+  const float least = std::min(tuning.mostlyTogether, best[tuning.minReliable - 1]);
   std::array<bool, count> cells{};
   for (std::size_t k = 0; k < count; ++k) cells[k] = m_together[k] >= least;
   return cells;
@@ -138,13 +138,13 @@ std::optional<MedianFlow> medianFlow(const cv::Mat& before, const cv::Mat& after
       return !reliable[match.cell];
     });
   }
-  if (matches.size() < minPoints) return std::nullopt;
+  if (matches.size() < tuning.minPoints) return std::nullopt;
   keepBetterHalf(matches, [](const Match& match) { return -match.error; });
   for (Match& match : matches) {
     match.similarity = patchSimilarity(partBefore, match.before, partAfter, match.after);
   }
   keepBetterHalf(matches, [](const Match& match) { return match.similarity; });
-  if (matches.size() < minPoints / 2) return std::nullopt;
+  if (matches.size() < tuning.minPoints / 2) return std::nullopt;
   MedianFlow flow = flowOf(matches, box - origin);
   if (cells) noteDown(all, box - origin, flow.box, *cells);
   flow.box += origin;

@@ -19,13 +19,9 @@ class FlowCells {
   /// Row by row of the box: whether a cell is to be asked where the target goes.
   std::array<bool, count> reliable() const;
   /// Of a cell that could be followed.
-  void note(std::size_t cell, bool together) {
-    m_together[cell] += rate * ((together ? 1.0F : 0.0F) - m_together[cell]);
-  }
+  void note(std::size_t cell, bool together);
 
  private:
-  static constexpr float rate = 0.2F;
-
   std::array<float, count> m_together;  ///< how often of late it moved with the target, 0..1
 };
 

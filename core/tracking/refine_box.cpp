@@ -3,14 +3,12 @@
 #include <array>
 
 #include "tracking/patch_cutter.h"
+#include "tracking/tld_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr double firstStep = 0.08;  // of the box
-constexpr double lastStep = 0.02;
-constexpr int roundsPerStep = 2;
-constexpr float minLikeness = 0.85F;
+constexpr TldTuning tuning;
 
 using Warp = PatchCutter::Warp;
 
@@ -40,8 +38,8 @@ cv::Rect2d refineBox(const cv::Mat& grey, const cv::Rect2d& box, const ToolClass
   const PatchCutter cutter(grey, box, tool.patchSize());
   Warp best;
   float most = tool.anchorLikeness(cutter.cut(best));
-  for (double step = firstStep; step >= lastStep; step /= 2.0) {
-    for (int round = 0; round < roundsPerStep; ++round) {
+  for (double step = tuning.firstStep; step >= tuning.lastStep; step /= 2.0) {
+    for (int round = 0; round < tuning.roundsPerStep; ++round) {
       const float before = most;
       for (const Warp& warp : neighboursOf(best, step)) {
         const float likeness = tool.anchorLikeness(cutter.cut(warp));
@@ -52,7 +50,7 @@ cv::Rect2d refineBox(const cv::Mat& grey, const cv::Rect2d& box, const ToolClass
       if (most == before) break;
     }
   }
-  return most < minLikeness ? box : warped(box, best, share);
+  return most < tuning.minRefined ? box : warped(box, best, share);
 }
 
 }  // namespace boomwatch

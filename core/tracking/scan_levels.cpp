@@ -4,11 +4,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tracking/picture_halves.h"
+#include "tracking/tld_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr double minSide = 8.0;  // of a window, pixels of the picture
+constexpr TldTuning tuning;
 
 }  // namespace
 
@@ -16,8 +17,8 @@ ScanLevels::ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int
     : m_patch(patch) {
   PictureHalves halves(grey);
   for (int exponent = first; exponent <= last; ++exponent) {
-    const cv::Size2d window = tool * std::pow(step, exponent);
-    if (std::min(window.width, window.height) < minSide) continue;
+    const cv::Size2d window = tool * std::pow(tuning.scaleStep, exponent);
+    if (std::min(window.width, window.height) < tuning.minWindow) continue;
     if (window.width > grey.cols || window.height > grey.rows) break;
     Level level;
     const cv::Size size(std::max(patch.width, cvRound(grey.cols * patch.width / window.width)),

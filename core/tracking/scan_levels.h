@@ -15,11 +15,9 @@ struct ScanWindow {
 /// patches of its model: every scanning window is a plain rectangle of patchSize pixels.
 class ScanLevels {
  public:
-  /// Ratio of successive scales, as in the paper.
-  static constexpr double step = 1.2;
-
   /// `tool`: its size in the picture at scale 1, pixels. `grey` is CV_8UC1. Levels run from
-  /// step^first to step^last, as far as windows fit the picture and are not tiny.
+  /// scaleStep^first to scaleStep^last (see TldTuning), as far as windows fit the picture and are
+  /// not tiny.
   ScanLevels(const cv::Mat& grey, cv::Size2d tool, cv::Size patch, int first, int last);
 
   struct Level {

@@ -7,50 +7,22 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "tracking/flow_tuning.h"
 #include "tracking/median_flow.h"
 #include "tracking/patch_cutter.h"
 #include "tracking/refine_box.h"
+#include "tracking/tld_tuning.h"
 
 namespace boomwatch {
 namespace {
-
-// Scales that are looked at, as powers of ScanLevels::step: those near the last, and all of them
-// when the tool has been away for a second.
-constexpr int allScales = 8;
-constexpr int nearScales = 5;
-constexpr int imagesAway = 25;
-
-// Kalal et al., ICPR 2010, section 3: beyond this the points do not move as one thing.
-constexpr double maxResidual = 10.0;  // pixels
-// Below this the flow is not sure (blur, a jump) and the patches say where exactly the tool is.
-constexpr double sureFlow = 0.93;
-constexpr double refinedShare = 0.5;
-constexpr double minShareInside = 0.5;
-// A wall before the tool has less variance than any patch of it.
-constexpr double flatShare = 0.25;
-
-constexpr float trustedLikeness = 0.7F;
-constexpr float doubtedLikeness = 0.5F;
-constexpr int maxDoubt = 25;            // images
-constexpr float somethingElse = 0.45F;  // less is rather what was learnt not to be the tool
-// By how much the best of several places must look more like the tool than the second.
-constexpr float lead = 0.05F;
-constexpr double sameOverlap = 0.5;
-constexpr std::size_t maxSharpened = 5;  // places, while the tool is lost
-constexpr double mixOverlap = 0.7;
-constexpr double mixShare = 3.0 / 13.0;  // of a detection, against the flow
-
-// The colours: asked so often while all is sure, believed where they are so far ahead of the box.
-constexpr int coloursEvery = 3;     // images
-constexpr double otherPlace = 0.5;  // overlap
-constexpr double farAhead = 0.15, justAhead = 0.05;
+constexpr TldTuning tuning;
 
 double shareInside(const cv::Rect2d& box, cv::Size image) {
   return (box & cv::Rect2d(cv::Point2d(), cv::Size2d(image))).area() / box.area();
 }
 
 cv::Rect2d mixed(const cv::Rect2d& box, const cv::Rect2d& other) {
-  const auto mix = [](double a, double b) { return a + mixShare * (b - a); };
+  const auto mix = [](double a, double b) { return a + tuning.mixShare * (b - a); };
   return {mix(box.x, other.x), mix(box.y, other.y), mix(box.width, other.width),
           mix(box.height, other.height)};
 }
@@ -58,8 +30,8 @@ cv::Rect2d mixed(const cv::Rect2d& box, const cv::Rect2d& other) {
 /// The first of these if it is the only one or leads the others clearly.
 std::optional<Detection> clearBest(const std::vector<Detection>& detections) {
   if (detections.empty()) return std::nullopt;
-  const bool clear = detections.size() == 1 ||
-                     detections[0].likeness.relative > detections[1].likeness.relative + lead;
+  const bool clear = detections.size() == 1 || detections[0].likeness.relative >
+                                                   detections[1].likeness.relative + tuning.lead;
   return clear ? std::optional(detections.front()) : std::nullopt;
 }
 
@@ -69,10 +41,10 @@ std::optional<Detection> followedOf(const std::optional<Detection>& flowed,
                                     const std::optional<Detection>& agreed) {
   if (!agreed) return flowed;
   const float likeness = agreed->likeness.conservative;
-  if (!flowed) return likeness > doubtedLikeness ? agreed : std::nullopt;
-  const bool same = overlap(flowed->box, agreed->box) >= sameOverlap;
+  if (!flowed) return likeness > tuning.doubtedLikeness ? agreed : std::nullopt;
+  const bool same = overlap(flowed->box, agreed->box) >= tuning.sameOverlap;
   const bool better = likeness > flowed->likeness.conservative;
-  return better && (same || likeness > trustedLikeness) ? agreed : flowed;
+  return better && (same || likeness > tuning.trustedLikeness) ? agreed : flowed;
 }
 
 void requireUsable(const ToolModel& model) {
@@ -140,7 +112,7 @@ std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
   if (!m_found) return std::nullopt;
   const Track track = m_keypoints.track(grey);
   if (!track.box || std::min(track.box->width, track.box->height) < minSide / 2.0 ||
-      shareInside(*track.box, grey.size()) < minShareInside) {
+      shareInside(*track.box, grey.size()) < tuning.minShareInside) {
     return std::nullopt;
   }
   return judged(grey, *track.box);
@@ -149,22 +121,22 @@ std::optional<Detection> TldTracker::consensus(const cv::Mat& grey) {
 std::optional<Detection> TldTracker::flow(const cv::Mat& grey) {
   if (!m_found || m_before.size() != grey.size()) return std::nullopt;
   const std::optional<MedianFlow> moved = medianFlow(m_before, grey, m_found->box, &m_cells);
-  if (!moved || moved->residual > maxResidual) return std::nullopt;
+  if (!moved || moved->residual > FlowTuning().maxResidual) return std::nullopt;
   if (std::min(moved->box.width, moved->box.height) < minSide / 2.0) return std::nullopt;
-  if (shareInside(moved->box, grey.size()) < minShareInside) return std::nullopt;
-  const cv::Rect2d box = moved->similarity < sureFlow
-                             ? refineBox(grey, moved->box, *m_tool, refinedShare)
+  if (shareInside(moved->box, grey.size()) < tuning.minShareInside) return std::nullopt;
+  const cv::Rect2d box = moved->similarity < tuning.sureFlow
+                             ? refineBox(grey, moved->box, *m_tool, tuning.refinedShare)
                              : moved->box;
   const cv::Mat patch = PatchCutter(grey, box, m_tool->patchSize()).cut();
-  if (varianceOf(patch) < flatShare * m_tool->minVariance()) return std::nullopt;
+  if (varianceOf(patch) < tuning.flatShare * m_tool->minVariance()) return std::nullopt;
   return Detection{box, m_tool->likeness(patch)};
 }
 
 ScanLevels TldTracker::levelsOf(const cv::Mat& grey) const {
-  const int range = m_imagesLost > imagesAway ? 2 * allScales : nearScales;
-  const int last = cvRound(std::log(m_scale) / std::log(ScanLevels::step));
-  return {grey, m_tool->toolSize(), m_tool->patchSize(), std::max(-allScales, last - range),
-          std::min(allScales, last + range)};
+  const int range = m_imagesLost > tuning.imagesAway ? 2 * tuning.allScales : tuning.nearScales;
+  const int last = cvRound(std::log(m_scale) / std::log(tuning.scaleStep));
+  return {grey, m_tool->toolSize(), m_tool->patchSize(), std::max(-tuning.allScales, last - range),
+          std::min(tuning.allScales, last + range)};
 }
 
 /// Windows lie a tenth of their size apart, and half of that off a tool can look like something
@@ -175,17 +147,17 @@ std::vector<Candidate> TldTracker::sharpened(const cv::Mat& grey,
                            [](const Candidate& one) { return one.likeness.relative; });
   std::vector<Candidate> places;
   for (const Candidate& candidate : candidates) {
-    if (places.size() == maxSharpened) break;
+    if (places.size() == tuning.maxSharpened) break;
     const bool isNew = std::ranges::none_of(places, [&](const Candidate& place) {
-      return overlap(place.box, candidate.box) >= sameOverlap;
+      return overlap(place.box, candidate.box) >= tuning.sameOverlap;
     });
     if (isNew) places.push_back(candidate);
   }
   for (Candidate place : places) {
-    if (place.likeness.relative >= toolThreshold) continue;
+    if (place.likeness.relative >= tuning.toolThreshold) continue;
     place.box = refineBox(grey, place.box, *m_tool, 1.0);
     place.likeness = m_tool->likeness(PatchCutter(grey, place.box, m_tool->patchSize()).cut());
-    if (place.likeness.conservative > trustedLikeness) candidates.push_back(place);
+    if (place.likeness.conservative > tuning.trustedLikeness) candidates.push_back(place);
   }
   return candidates;
 }
@@ -204,7 +176,7 @@ std::vector<Detection> TldTracker::detect(const cv::Mat& image, const cv::Mat& g
 }
 
 bool TldTracker::isSure() const {
-  return m_trusted && m_found && m_found->likeness.conservative > doubtedLikeness;
+  return m_trusted && m_found && m_found->likeness.conservative > tuning.doubtedLikeness;
 }
 
 /// Where patches and flow are not sure, the colours say whether the box is on the tool, and where
@@ -213,9 +185,9 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
                             const std::vector<ColourLayout::Place>& places) {
   const bool sure = isSure();
   const bool here =
-      m_found && !places.empty() && overlap(places.front().box, m_found->box) >= otherPlace;
+      m_found && !places.empty() && overlap(places.front().box, m_found->box) >= tuning.sameOverlap;
   const auto tool = here ? std::nullopt : m_colours.toolIn(image, places);
-  const double ahead = sure ? farAhead : justAhead;
+  const double ahead = sure ? tuning.farAhead : tuning.justAhead;
   if (m_found && tool && m_colours.scoreOf(image, m_found->box) < tool->score - ahead) lose();
   if (!m_found) {
     if (!tool) return;
@@ -235,7 +207,7 @@ void TldTracker::askColours(const cv::Mat& image, const cv::Mat& grey,
 std::optional<Detection> TldTracker::cameBack(const cv::Mat& image, const cv::Mat& grey,
                                               const cv::Rect2d& box) const {
   const Detection place = judged(grey, box);
-  const bool other = place.likeness.relative < somethingElse || m_colours.denies(image, box);
+  const bool other = place.likeness.relative < tuning.somethingElse || m_colours.denies(image, box);
   return other ? std::nullopt : std::optional(place);
 }
 
@@ -247,13 +219,13 @@ void TldTracker::lose() {
 
 void TldTracker::reject() {
   lose();
-  m_recent.forget();              // that was something else
-  m_imagesLost = imagesAway + 1;  // and so was its size
+  m_recent.forget();                     // that was something else
+  m_imagesLost = tuning.imagesAway + 1;  // and so was its size
 }
 
 bool TldTracker::isDisputed(const std::vector<Detection>& detections) const {
   return std::ranges::any_of(detections, [&](const Detection& detection) {
-    return overlap(detection.box, m_found->box) < sameOverlap;
+    return overlap(detection.box, m_found->box) < tuning.sameOverlap;
   });
 }
 
@@ -268,7 +240,7 @@ void TldTracker::integrate(const cv::Mat& grey, const std::optional<Detection>& 
   m_found = followed;
   std::vector<Detection> better;
   std::ranges::copy_if(detections, std::back_inserter(better), [&](const Detection& detection) {
-    return overlap(detection.box, followed->box) < sameOverlap &&
+    return overlap(detection.box, followed->box) < tuning.sameOverlap &&
            detection.likeness.relative > followed->likeness.relative &&
            detection.likeness.conservative > followed->likeness.conservative;
   });
@@ -277,17 +249,17 @@ void TldTracker::integrate(const cv::Mat& grey, const std::optional<Detection>& 
     m_found = best;
     return;
   }
-  if (followed->likeness.conservative > trustedLikeness) m_trusted = true;
+  if (followed->likeness.conservative > tuning.trustedLikeness) m_trusted = true;
   // In other light than any that was learnt it still looks as it did a moment ago.
-  const bool doubted =
-      followed->likeness.relative < doubtedLikeness && !m_recent.recognises(grey, followed->box);
+  const bool doubted = followed->likeness.relative < tuning.doubtedLikeness &&
+                       !m_recent.recognises(grey, followed->box);
   m_imagesDoubted = doubted ? m_imagesDoubted + 1 : 0;
-  if (m_imagesDoubted > maxDoubt) {
+  if (m_imagesDoubted > tuning.maxDoubt) {
     lose();
     return;
   }
   for (const Detection& detection : detections) {
-    if (overlap(detection.box, m_found->box) < mixOverlap) continue;
+    if (overlap(detection.box, m_found->box) < tuning.mixOverlap) continue;
     m_found->box = mixed(m_found->box, detection.box);
   }
 }
@@ -319,7 +291,7 @@ Track TldTracker::track(const cv::Mat& image) {
     const std::vector<Detection> detections = detect(image, grey, candidates);
     // Looked for here already where they will be needed: the keypoints take longer.
     std::optional<std::vector<ColourLayout::Place>> places;
-    if (++m_images % coloursEvery == 0 || !m_trusted) places = m_colours.places(image);
+    if (++m_images % tuning.coloursEvery == 0 || !m_trusted) places = m_colours.places(image);
     const auto [flowed, agreed, back] = following.get();
     integrate(grey, followedOf(flowed, agreed), detections);
     if (isSure() && !m_colours.isKnown()) m_colours.begin(image, m_found->box);
@@ -327,11 +299,12 @@ Track TldTracker::track(const cv::Mat& image) {
     if (places) askColours(image, grey, *places);
     if (!m_found && back) m_found = cameBack(image, grey, *back);
     if (m_found) m_recent.follow();
-    if (m_found && m_found->likeness.relative >= doubtedLikeness) {
+    if (m_found && m_found->likeness.relative >= tuning.doubtedLikeness) {
       m_recent.remember(grey, m_found->box);
     }
     // What the keypoints carry on must be the tool's.
-    if (m_found && !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= sameOverlap)) {
+    if (m_found &&
+        !(wasSeen && agreed && overlap(agreed->box, m_found->box) >= tuning.sameOverlap)) {
       m_keypoints.lookAt(m_found->box);
     }
     if (m_learns && m_trusted && !isDisputed(detections)) learnt = learn(grey, levels, candidates);
@@ -344,7 +317,7 @@ Track TldTracker::track(const cv::Mat& image) {
                                  : learnt  ? LearningState::On
                                            : LearningState::Suspended;
   if (!m_found) {
-    m_imagesLost = std::min(m_imagesLost, imagesAway) + 1;
+    m_imagesLost = std::min(m_imagesLost, tuning.imagesAway) + 1;
     return {TrackState::Lost, std::nullopt, 0.0, learning};
   }
   m_imagesLost = 0;

@@ -3,11 +3,12 @@
 #include <limits>
 
 #include "tracking/patch_cutter.h"
+#include "tracking/tld_tuning.h"
 
 namespace boomwatch {
 namespace {
 
-constexpr double olderHalf = 0.5;
+constexpr TldTuning tuning;
 
 }  // namespace
 
@@ -22,7 +23,7 @@ ToolClassifier::ToolClassifier(const ToolModel& model)
 }
 
 void ToolClassifier::lowerVariance(const cv::Mat& patch) {
-  m_minVariance = std::min(m_minVariance, varianceOf(patch) / 2.0);
+  m_minVariance = std::min(m_minVariance, tuning.varianceShare * varianceOf(patch));
 }
 
 Likeness ToolClassifier::likeness(const cv::Mat& patch) const {
@@ -32,11 +33,12 @@ Likeness ToolClassifier::likeness(const cv::Mat& patch) const {
     const float distance = 1.0F - tool;
     return distance + other > 0.0F ? other / (distance + other) : 0.0F;
   };
-  return {against(m_positives.likeness(pixels)), against(m_positives.likeness(pixels, olderHalf))};
+  return {against(m_positives.likeness(pixels)),
+          against(m_positives.likeness(pixels, tuning.olderHalf))};
 }
 
 float ToolClassifier::anchorLikeness(const cv::Mat& patch) const {
-  return m_positives.likeness(normalised(patch), olderHalf);
+  return m_positives.likeness(normalised(patch), tuning.olderHalf);
 }
 
 void ToolClassifier::learnPositive(const cv::Mat& patch) {

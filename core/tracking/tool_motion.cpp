@@ -1,21 +1,10 @@
 #include "tracking/tool_motion.h"
 
+#include "tracking/tool_motion_tuning.h"
+
 namespace boomwatch {
 namespace {
-
-/// 99.9 % of a chi-squared distribution with three degrees of freedom lie below.
-constexpr double gate = 16.27;
-/// Standard deviation of what is not yet known of the velocity, m/s: cranes are not faster.
-constexpr double firstSpeed = 2.0;
-constexpr int agreeingOutliers = 3;
-constexpr int agreedForVelocity = 3;
-/// What so many measurements agreed on is not given up for three others that it cannot explain.
-constexpr int agreedForCertainty = 10;
-constexpr double maxContradiction = 3.0;  // seconds
-/// Metres: it may be another part of the tool that is measured now.
-constexpr double toolExtent = 1.0;
-/// Metres by which a point of the tool may lie beside where its load says it is.
-constexpr double besideHeld = 0.4;
+constexpr ToolMotionTuning tuning;
 
 }  // namespace
 
@@ -38,16 +27,16 @@ void ToolMotion::update(double stamp, const std::optional<Eigen::Vector3f>& meas
 bool ToolMotion::isAccepted(const Eigen::Vector3d& measured, const TrackingParameters& parameters,
                             const std::optional<Eigen::Vector3f>& held) {
   const double noise = parameters.noise;
-  const bool isApart = held && (measured - held->cast<double>()).norm() > besideHeld;
+  const bool isApart = held && (measured - held->cast<double>()).norm() > tuning.besideHeld;
   // What is seen to move on, frame by frame, may have let go of the load; what has leapt has not.
   const bool wasSeen = m_isBelieved;  // in the frame before
   const bool leaps = isApart && !wasSeen;
   if (m_known && !leaps && isInReach(measured, parameters) && believe(measured, noise)) return true;
   noteOutlier(measured, noise);
   const bool inReach = isInReach(measured, parameters);
-  const bool insists = m_outliers >= agreeingOutliers;
+  const bool insists = m_outliers >= tuning.agreeingOutliers;
   if (!insists && (m_known || !inReach)) return false;
-  if (isApart || (!inReach && *m_stamp - m_outliersSince < maxContradiction)) {
+  if (isApart || (!inReach && *m_stamp - m_outliersSince < tuning.maxContradiction)) {
     m_isContradicted = insists && !m_known;
     return false;
   }
@@ -61,7 +50,7 @@ void ToolMotion::begin(const Eigen::Vector3d& at, double noise) {
   m_velocity.setZero();
   m_pp = noise * noise;
   m_pv = 0.0;
-  m_vv = firstSpeed * firstSpeed;
+  m_vv = tuning.firstSpeed * tuning.firstSpeed;
   m_agreed = 1;
 }
 
@@ -77,7 +66,7 @@ void ToolMotion::predict(double seconds, double acceleration) {
 bool ToolMotion::believe(const Eigen::Vector3d& measured, double noise) {
   const Eigen::Vector3d residual = measured - m_point;
   const double variance = m_pp + noise * noise;
-  if (residual.squaredNorm() > gate * variance) return false;
+  if (residual.squaredNorm() > tuning.gate * variance) return false;
   const double gainP = m_pp / variance, gainV = m_pv / variance;
   m_point += gainP * residual;
   m_velocity += gainV * residual;
@@ -90,7 +79,7 @@ bool ToolMotion::believe(const Eigen::Vector3d& measured, double noise) {
 
 bool ToolMotion::agreesWithOutlier(const Eigen::Vector3d& measured, double noise) const {
   const double variance = m_pp + noise * noise;
-  return m_outlier && (measured - *m_outlier).squaredNorm() <= gate * variance;
+  return m_outlier && (measured - *m_outlier).squaredNorm() <= tuning.gate * variance;
 }
 
 void ToolMotion::noteOutlier(const Eigen::Vector3d& measured, double noise) {
@@ -106,8 +95,8 @@ bool ToolMotion::isInReach(const Eigen::Vector3d& place,
                            const TrackingParameters& parameters) const {
   const double at = agreesWithOutlier(place, parameters.noise) ? m_outliersSince : *m_stamp;
   // Without time between them nothing can be said of the speed.
-  if (!m_seenAt || at <= *m_seenAt || m_agreed < agreedForCertainty) return true;
-  return (place - m_believed).norm() <= toolExtent + parameters.maxSpeed * (at - *m_seenAt);
+  if (!m_seenAt || at <= *m_seenAt || m_agreed < tuning.agreedForCertainty) return true;
+  return (place - m_believed).norm() <= tuning.toolExtent + parameters.maxSpeed * (at - *m_seenAt);
 }
 
 std::optional<Eigen::Vector3f> ToolMotion::point() const {
@@ -115,7 +104,7 @@ std::optional<Eigen::Vector3f> ToolMotion::point() const {
 }
 
 std::optional<Eigen::Vector3f> ToolMotion::velocity() const {
-  if (!m_known || m_agreed < agreedForVelocity) return std::nullopt;
+  if (!m_known || m_agreed < tuning.agreedForVelocity) return std::nullopt;
   return m_velocity.cast<float>();
 }
 
