@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "load/depth_plane.h"
+#include "load/load_tuning.h"
 
 namespace boomwatch {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t fewest = 30;  // cells
+constexpr LoadTuning::Box tuning;
 
 bool atBorder(const DepthPatch& patch, int cell) {
   const double u = patch.u0 + (cell % patch.side + 0.5) * patch.cell;
@@ -26,7 +27,6 @@ bool atBorder(const DepthPatch& patch, int cell) {
 /// The body's cells without the pieces outside the tool that go on to the limit.
 std::vector<int> withoutBoom(const DepthPatch& patch, const LoadBody& body, double reach,
                              double toolRadius) {
-  constexpr double limit = 0.9;
   if (toolRadius <= 0.0) return body.cells;  // nothing is held, and so no boom is there
   const auto cells = static_cast<std::size_t>(patch.side) * static_cast<std::size_t>(patch.side);
   std::vector<char> outer(cells, 0);
@@ -43,8 +43,8 @@ std::vector<int> withoutBoom(const DepthPatch& patch, const LoadBody& body, doub
     bool goesOn = false;
     for (std::size_t next = 0; next < piece.size(); ++next) {
       const int cell = piece[next], column = cell % patch.side, row = cell / patch.side;
-      goesOn =
-          goesOn || atBorder(patch, cell) || (patch.point(cell) - body.tool).norm() > limit * reach;
+      goesOn = goesOn || atBorder(patch, cell) ||
+               (patch.point(cell) - body.tool).norm() > tuning.boomLimit * reach;
       for (int y = std::max(0, row - 1); y <= std::min(patch.side - 1, row + 1); ++y) {
         for (int x = std::max(0, column - 1); x <= std::min(patch.side - 1, column + 1); ++x) {
           char& open = outer[static_cast<std::size_t>(y * patch.side + x)];
@@ -74,16 +74,16 @@ Matrix3d axesAbout(const Vector3d& normal, const std::vector<Vector3d>& points) 
   return axes;
 }
 
-/// About all but the outermost half per cent on each side.
+/// About all but the outermost points on each side.
 OrientedBox boxAlong(const Matrix3d& axes, const std::vector<Vector3d>& points, double grow) {
-  constexpr double outermost = 0.005;
   OrientedBox box;
   box.rotation = axes;
   std::vector<double> values(points.size());
   for (int i = 0; i < 3; ++i) {
     std::transform(points.begin(), points.end(), values.begin(),
                    [&](const Vector3d& p) { return axes.col(i).dot(p); });
-    const auto skip = static_cast<std::ptrdiff_t>(outermost * static_cast<double>(values.size()));
+    const auto skip =
+        static_cast<std::ptrdiff_t>(tuning.outermost * static_cast<double>(values.size()));
     std::nth_element(values.begin(), values.begin() + skip, values.end());
     const double low = values[static_cast<std::size_t>(skip)];
     std::nth_element(values.begin(), values.end() - 1 - skip, values.end());
@@ -107,7 +107,7 @@ double filledShare(const OrientedBox& box, const DepthPatch& patch, const std::v
   std::vector<cv::Point2f> corners, hull;
   double nearest = 0.0;  // inverse depth
   for (const Vector3d& p : box.corners()) {
-    if (p.z() < 0.02) return 0.0;
+    if (p.z() < tuning.minDepth) return 0.0;
     corners.emplace_back(static_cast<float>((p.x() / p.z() - patch.u0) / patch.cell),
                          static_cast<float>((p.y() / p.z() - patch.v0) / patch.cell));
     nearest = std::max(nearest, 1.0 / p.z());
@@ -141,7 +141,7 @@ OrientedBox withSizes(const OrientedBox& seen, const Vector3d& sizes) {
     for (int i = 0; i < 3; ++i) {
       const double across = 1.0 - std::abs(view.dot(seen.rotation.col(i)));
       const double size = sizes[order[static_cast<std::size_t>(i)]];
-      misfit += (0.1 + across) * std::abs(std::log(size / seen.size[i]));
+      misfit += (tuning.alongView + across) * std::abs(std::log(size / seen.size[i]));
     }
     if (misfit < least) least = misfit, best = order;
   } while (std::next_permutation(order.begin(), order.end()));
@@ -171,7 +171,6 @@ OrientedBox minBox(const std::vector<Vector3d>& points, const std::vector<Vector
 
 LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach,
                      const LoadParameters& parameters) {
-  constexpr double minFilled = 0.45, minOffFace = 0.08;
   const double toolRadius = parameters.toolSize / 2.0, cell = patch.cell * body.tool.z();
   const std::vector<int> cells = withoutBoom(patch, body, reach, toolRadius);
   std::vector<Vector3d> points;
@@ -180,7 +179,7 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     points.push_back(patch.point(index));
     if ((points.back() - body.tool).norm() > toolRadius + cell) ++outside;
   }
-  if (outside < fewest) return LoadDetection::refused(LoadFault::NoBody);
+  if (outside < tuning.minOutside) return LoadDetection::refused(LoadFault::NoBody);
 
   std::vector<Vector3d> normals = body.surfaces;
   const Matrix3d principal = principalAxes(points);
@@ -192,11 +191,11 @@ LoadDetection fitBox(const DepthPatch& patch, const LoadBody& body, double reach
     onFace = std::count_if(cells.begin(), cells.end(),
                            [&](int index) { return face->holds(patch, index, cell); });
   }
-  OrientedBox box = minBox(points, normals, cell / 4.0);
+  OrientedBox box = minBox(points, normals, tuning.grow * cell);
   const bool locked = parameters.dimensions == LoadDimensions::Locked;
   const double offFace = 1.0 - static_cast<double>(onFace) / static_cast<double>(cells.size());
-  if (offFace < minOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);
-  if (filledShare(box, patch, cells) < minFilled) {
+  if (offFace < tuning.minOffFace && !locked) return LoadDetection::refused(LoadFault::DepthHidden);
+  if (filledShare(box, patch, cells) < tuning.minFilled) {
     return LoadDetection::refused(LoadFault::PoorFit);
   }
   if (locked) box = withSizes(box, {parameters.sizeX, parameters.sizeY, parameters.sizeZ});

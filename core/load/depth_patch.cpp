@@ -4,11 +4,14 @@
 #include <limits>
 
 #include "base/median.h"
+#include "load/load_tuning.h"
 
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3f;
+
+constexpr LoadTuning::Patch tuning;
 
 constexpr int finestHalfSide = 75, coarsestHalfSide = 20;
 constexpr double minPerCell = 2.5;
@@ -29,7 +32,7 @@ void forPoints(const Cloud& cloud, int thinning, Take&& take) {
     for (int column = quincunx && k % 2 == 1 ? step : 0; column < cloud.width; column += across) {
       const Vector3f& p = points[column];
       // Other coordinates that are no numbers, or infinite, lie outside every grid.
-      if (p.z() > nearest && p.z() < farthest) take(p);
+      if (p.z() > tuning.nearest && p.z() < tuning.farthest) take(p);
     }
   }
 }
@@ -142,17 +145,18 @@ void layGrid(DepthPatch& patch, const Vector3f& tool, double reach, int halfSide
 DepthPatch patchAround(const Cloud& cloud, const Vector3f& tool, double reach, double noise,
                        double samplesPerCell) {
   DepthPatch patch;
-  if (!isMeasured(tool) || tool.z() <= nearest) return patch;
+  if (!isMeasured(tool) || tool.z() <= tuning.nearest) return patch;
   patch.noise = noise;
-  layGrid(patch, tool, reach, finestHalfSide);
+  layGrid(patch, tool, reach, tuning.finestHalfSide);
   const double perCell = density(cloud, patch);
   // Where points are sparse, cells that are too fine would tear a surface.
-  if (perCell < minPerCell) {
-    const int half = static_cast<int>(finestHalfSide * std::sqrt(perCell / minPerCell));
-    layGrid(patch, tool, reach, std::max(half, coarsestHalfSide));
+  if (perCell < tuning.minPerCell) {
+    const int half =
+        static_cast<int>(tuning.finestHalfSide * std::sqrt(perCell / tuning.minPerCell));
+    layGrid(patch, tool, reach, std::max(half, tuning.coarsestHalfSide));
   }
   int thinning = 1;
-  while (thinning < 256 && 2 * thinning * samplesPerCell <= perCell) thinning *= 2;
+  while (thinning < tuning.maxThinning && 2 * thinning * samplesPerCell <= perCell) thinning *= 2;
   std::vector<Placed> placed;
   placed.reserve(cloud.size() / static_cast<std::size_t>(2 * thinning) + 1);
   const GridPlace place(patch);

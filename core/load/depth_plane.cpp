@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <random>
 
+#include "load/load_tuning.h"
+
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr LoadTuning::Plane tuning;
 
 std::optional<DepthPlane> planeThrough(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d normal = (b - a).cross(c - a);
@@ -34,15 +38,13 @@ DepthPlane refined(const DepthPlane& plane, const DepthPatch& patch, const std::
 
 std::optional<DepthPlane> dominantPlane(const DepthPatch& patch, const std::vector<int>& cells,
                                         double thickness) {
-  constexpr int hypotheses = 80;
-  constexpr std::size_t looked = 400;
   std::minstd_rand random(1);
   std::uniform_int_distribution<std::size_t> pick(0, cells.size() - 1);
-  std::vector<int> sample(std::min(looked, cells.size()));
+  std::vector<int> sample(std::min(tuning.looked, cells.size()));
   for (int& cell : sample) cell = cells[pick(random)];
   std::optional<DepthPlane> best;
   std::ptrdiff_t most = 0;
-  for (int k = 0; k < hypotheses; ++k) {
+  for (int k = 0; k < tuning.hypotheses; ++k) {
     const auto plane =
         planeThrough(patch.point(cells[pick(random)]), patch.point(cells[pick(random)]),
                      patch.point(cells[pick(random)]));

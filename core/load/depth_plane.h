@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "load/depth_patch.h"
+#include "load/load_tuning.h"
 
 namespace boomwatch {
 
@@ -12,14 +13,13 @@ namespace boomwatch {
 struct DepthPlane {
   Eigen::Vector3d n;
 
-  /// Whether a cell is within `thickness` metres of it, or within three standard deviations.
+  /// Whether a cell is within `thickness` metres of it, or within LoadTuning::deviations.
   bool holds(const DepthPatch& patch, int cell, double thickness) const {
-    constexpr double deviations = 3.0;
     const auto i = static_cast<std::size_t>(cell);
     const Eigen::Vector3d direction(patch.u0 + (cell % patch.side + 0.5) * patch.cell,
                                     patch.v0 + (cell / patch.side + 0.5) * patch.cell, 1.0);
     return std::abs(patch.q[i] - n.dot(direction)) <=
-           thickness * n.norm() * patch.q[i] + deviations * patch.sigma[i];
+           thickness * n.norm() * patch.q[i] + LoadTuning::deviations * patch.sigma[i];
   }
 };
 

@@ -1,11 +1,13 @@
 #include "load/held_tool.h"
 
+#include "load/load_tuning.h"
+
 namespace boomwatch {
 
 using Eigen::Vector3d;
 
 void HeldTool::learn(const Eigen::Vector3f& tool, const OrientedBox& load, double stamp) {
-  constexpr double gain = 0.1;  // one point lies anywhere on what is seen of the tool
+  constexpr double gain = LoadTuning::Held().gain;
   if (m_grip && stamp < m_grip->stamp) reset();
   const Vector3d axis = load.rotation.col(0), offset = tool.cast<double>() - load.centre;
   const double along = axis.dot(offset);

@@ -6,13 +6,14 @@
 
 #include "base/median.h"
 #include "load/depth_plane.h"
+#include "load/load_tuning.h"
 
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double sigmas = 3.0;
+constexpr LoadTuning::Body tuning;
 
 class Growth {
  public:
@@ -57,12 +58,13 @@ class Growth {
 
   /// The tool point is one pixel's: the cells around it that are within its noise count.
   std::vector<int> seeds() const {
-    constexpr int around = 2;
+    constexpr int around = tuning.seedCells;
     const int middle = m_patch.indexOf(m_tool.x() / m_tool.z(), m_tool.y() / m_tool.z());
     std::vector<int> cells;
     if (middle < 0) return cells;
     const double q = 1.0 / m_tool.z();
-    const double tolerance = sigmas * m_patch.noise + around * m_patch.cell * q * 2.0;
+    const double tolerance =
+        LoadTuning::deviations * m_patch.noise + around * m_patch.cell * q * 2.0;
     for (int dy = -around; dy <= around; ++dy) {
       for (int dx = -around; dx <= around; ++dx) {
         const int column = middle % m_patch.side + dx, row = middle / m_patch.side + dy;
@@ -93,11 +95,10 @@ class Growth {
 
   /// Three cells' width of depth (a surface at 18 degrees to the view), and the noise.
   bool connected(int a, int b) const {
-    constexpr double steepness = 3.0;
     const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
     const double noise = std::hypot(m_patch.sigma[i], m_patch.sigma[j]);
     return std::abs(m_patch.q[i] - m_patch.q[j]) <=
-           steepness * m_patch.cell * m_patch.q[i] + sigmas * noise;
+           tuning.steepness * m_patch.cell * m_patch.q[i] + LoadTuning::deviations * noise;
   }
 
   const DepthPatch& m_patch;
@@ -110,24 +111,23 @@ class Growth {
 /// Whether the plane's cells go on to the limit of reach on more than one side, as a ground does
 /// and a load or a boom does not.
 bool goesOn(const std::vector<Vector3d>& held, const Vector3d& tool, double reach, std::size_t of) {
-  constexpr double limit = 0.8, minShare = 0.3;
-  constexpr int sectors = 8, needed = 3;
-  if (static_cast<double>(held.size()) < minShare * static_cast<double>(of)) return false;
-  std::array<int, sectors> far{};
+  if (static_cast<double>(held.size()) < tuning.surfaceShare * static_cast<double>(of))
+    return false;
+  std::array<int, tuning.sectors> far{};
   for (const Vector3d& p : held) {
     const Vector3d offset = p - tool;
-    if (offset.norm() < limit * reach) continue;
+    if (offset.norm() < tuning.surfaceLimit * reach) continue;
     const double turn = std::atan2(offset.y() + offset.z() * 0.5, offset.x()) / (2.0 * M_PI) + 0.5;
-    ++far[static_cast<std::size_t>(std::min(turn * sectors, sectors - 1.0))];
+    ++far[static_cast<std::size_t>(std::min(turn * tuning.sectors, tuning.sectors - 1.0))];
   }
-  return std::count_if(far.begin(), far.end(), [](int n) { return n >= 5; }) >= needed;
+  return std::count_if(far.begin(), far.end(), [](int n) { return n >= tuning.farCells; }) >=
+         tuning.farSectors;
 }
 
 /// The plane of `cells` that is ground or wall, if there is one: its cells.
 std::vector<int> surfaceIn(const std::vector<int>& cells, const DepthPatch& patch,
                            const Vector3d& tool, double reach, LoadBody& body) {
-  constexpr std::size_t fewest = 30;
-  if (cells.size() < fewest) return {};
+  if (cells.size() < tuning.minSurface) return {};
   const double thickness = patch.cell * tool.z();
   const auto plane = dominantPlane(patch, cells, thickness);
   if (!plane) return {};
@@ -153,9 +153,6 @@ Vector3d steadied(const Vector3d& tool, const std::vector<int>& seeds, const Dep
 }  // namespace
 
 LoadBody growBody(const DepthPatch& patch, const Eigen::Vector3f& tool, const BodyLimits& limits) {
-  constexpr int maxSurfaces = 4;
-  constexpr std::size_t fewest = 8;  // cells of a piece beside the tool
-  constexpr double beside = 1.5;
   LoadBody body;
   body.tool = tool.cast<double>();
   Growth growth(patch, body.tool, limits.reach, limits.bounds);
@@ -173,14 +170,14 @@ LoadBody growBody(const DepthPatch& patch, const Eigen::Vector3f& tool, const Bo
     const auto add = [&](const std::vector<int>& piece) {
       const auto surface = surfaceIn(piece, patch, body.tool, limits.reach, body);
       for (const int cell : surface) growth.close(cell);
-      again = again || (!surface.empty() && k < maxSurfaces);
+      again = again || (!surface.empty() && k < tuning.maxSurfaces);
       if (surface.empty()) body.cells.insert(body.cells.end(), piece.begin(), piece.end());
     };
     add(growth.grow(seeds, open));
-    for (const int cell : growth.around(beside * limits.toolRadius)) {
+    for (const int cell : growth.around(tuning.beside * limits.toolRadius)) {
       if (open[static_cast<std::size_t>(cell)] == 0) continue;
       const auto piece = growth.grow({cell}, open);
-      if (piece.size() >= fewest) add(piece);
+      if (piece.size() >= tuning.minPiece) add(piece);
     }
   }
   if (body.cells.empty()) body.fault = LoadFault::OnSurface;

@@ -4,15 +4,13 @@
 #include <algorithm>
 
 #include "load/box_fit.h"
+#include "load/load_tuning.h"
 #include "load/log/log_fit.h"
 
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Of the largest load: how far from the tool its parts may be, where it is not held in the middle.
-constexpr double reachShare = 0.6;
 
 LoadDetection judged(const LoadDetection& found, const Bounds& bounds, double maxSize) {
   if (!found.box) return found;
@@ -26,8 +24,7 @@ LoadDetection judged(const LoadDetection& found, const Bounds& bounds, double ma
 }  // namespace
 
 ViewedBox dynamicVolume(const OrientedBox& load, double margin, double depthNoise, double smear) {
-  constexpr double deviations = 3.0;
-  const double noise = deviations * depthNoise;
+  const double noise = LoadTuning::deviations * depthNoise;
   ViewedBox volume(load, noise, std::max(noise, smear));
   volume.box.size += 2.0 * Vector3d::Constant(margin);
   return volume;
@@ -36,9 +33,11 @@ ViewedBox dynamicVolume(const OrientedBox& load, double margin, double depthNois
 LoadDetection detectLoad(const Cloud& cloud, const Eigen::Vector3f& tool, double depthNoise,
                          const Bounds& bounds, const LoadParameters& parameters,
                          const std::optional<OrientedBox>& expected) {
-  const double reach = reachShare * parameters.maxSize;
+  const double reach = LoadTuning::Detector().reachShare * parameters.maxSize;
   // A log is measured by its outline, a box by the cells themselves.
-  const double samplesPerCell = parameters.shape == LoadShape::Cylinder ? 4.0 : 8.0;
+  constexpr LoadTuning::Patch patchTuning;
+  const double samplesPerCell =
+      parameters.shape == LoadShape::Cylinder ? patchTuning.logSamples : patchTuning.boxSamples;
   const DepthPatch patch = patchAround(cloud, tool, reach, depthNoise, samplesPerCell);
   if (patch.empty()) return LoadDetection::refused(LoadFault::NothingAtTool);
   if (expected && isLog(*expected) && parameters.shape != LoadShape::Box) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "load/load_tuning.h"
+
 namespace boomwatch {
 namespace {
 
@@ -12,14 +14,11 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Of an alpha-beta filter. What points at the camera seems to turn, and swings little in truth.
-constexpr double positionGain = 0.5, velocityGain = 0.15, spinGain = 0.05;
-constexpr int jumpsToBelieve = 3;
+constexpr LoadTuning::Follower tuning;
 
 /// Farther than a swinging load and the noise of its pose can take it from where it was expected.
 bool isTooFar(double metres, double passed) {
-  constexpr double nearby = 0.3, speed = 3.0;  // m, m/s
-  return metres > nearby + speed * passed;
+  return metres > tuning.jump + tuning.jumpSpeed * passed;
 }
 
 /// Axis times radians: turned() by it, `from` becomes `to`.
@@ -72,7 +71,7 @@ LoadFollower::Followed LoadFollower::follow(const LoadDetection& detection, doub
     const OrientedBox expected = m_pose ? boxAt(passed, tool) : seen;
     const bool elsewhere = m_pose && jumps(seen, expected, passed);
     m_jumps = elsewhere ? m_jumps + 1 : 0;
-    if (!m_pose || m_jumps >= jumpsToBelieve) {
+    if (!m_pose || m_jumps >= tuning.jumpsToBelieve) {
       begin(seen, stamp);
     } else if (elsewhere) {
       isSeen = false;
@@ -98,9 +97,9 @@ std::optional<OrientedBox> LoadFollower::expected(
 
 bool LoadFollower::jumps(const OrientedBox& seen, const OrientedBox& expected,
                          double passed) const {
-  constexpr double turn = 0.35, turnSpeed = 2.0;
   return isTooFar((seen.centre - expected.centre).norm(), passed) ||
-         turnBetween(expected.rotation, seen.rotation).norm() > turn + turnSpeed * passed;
+         turnBetween(expected.rotation, seen.rotation).norm() >
+             tuning.turn + tuning.turnSpeed * passed;
 }
 
 void LoadFollower::begin(const OrientedBox& seen, double stamp) {
@@ -113,11 +112,11 @@ void LoadFollower::correct(const OrientedBox& seen, const OrientedBox& expected,
   Pose& pose = *m_pose;
   const Vector3d off = seen.centre - expected.centre;
   const Vector3d turn = turnBetween(expected.rotation, seen.rotation);
-  pose.box.centre = expected.centre + positionGain * off;
-  pose.box.rotation = turned(expected.rotation, positionGain * turn);
+  pose.box.centre = expected.centre + tuning.positionGain * off;
+  pose.box.rotation = turned(expected.rotation, tuning.positionGain * turn);
   if (passed <= 0.0) return;
-  pose.velocity += velocityGain / passed * off;
-  pose.spin += spinGain / passed * turn;
+  pose.velocity += tuning.velocityGain / passed * off;
+  pose.spin += tuning.spinGain / passed * turn;
 }
 
 void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameters& parameters) {
@@ -139,17 +138,15 @@ void LoadFollower::learn(const Vector3d& size, double stamp, const LoadParameter
 }
 
 OrientedBox LoadFollower::boxAt(double passed, const std::optional<Eigen::Vector3f>& tool) const {
-  // Seconds for which it surely moves on; then the tool says more, and nothing how it turns.
-  constexpr double soon = 0.12, turning = 0.25;
   OrientedBox box = m_pose->box;
   Vector3d way = m_pose->velocity * passed;
-  if (passed > soon && tool && m_pose->tool) {
+  if (passed > tuning.soon && tool && m_pose->tool) {
     const Vector3d ofTool = (*tool - *m_pose->tool).cast<double>();
     // What leaps is something else that the tracker takes for the tool.
     if (!isTooFar((ofTool - way).norm(), passed)) way = ofTool;
   }
   box.centre += way;
-  box.rotation = turned(box.rotation, m_pose->spin * std::min(passed, turning));
+  box.rotation = turned(box.rotation, m_pose->spin * std::min(passed, tuning.turning));
   box.size = m_size;
   return box;
 }

@@ -3,10 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "load/log/log_tuning.h"
+
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr LogTuning::Axis tuning;
 
 /// Counts, bin by bin, what lies along one direction from the tool's rim outwards.
 class Arm {
@@ -20,10 +24,9 @@ class Arm {
     int points = 0;
   };
   Run run() const {
-    constexpr int maxGap = 4;
     Run run;
     int gap = 0;
-    for (int i = 0; i < bins && gap <= maxGap; ++i) {
+    for (int i = 0; i < bins && gap <= tuning.maxGap; ++i) {
       const int count = m_counts[static_cast<std::size_t>(i)];
       gap = count == 0 ? gap + 1 : 0;
       if (count > 0) run = {i + 1, run.points + count};
@@ -40,30 +43,26 @@ class Arm {
 
 AxisSearch::AxisSearch(const DepthPatch& patch, const LoadBody& body, const AxisLimits& limits)
     : m_tool(body.tool), m_limits(limits), m_cell(patch.cell * body.tool.z()) {
-  constexpr std::size_t most = 2500;
-  constexpr double deviations = 2.5, thickness = 0.04;
-  const std::size_t step = 1 + body.cells.size() / most;
+  const std::size_t step = 1 + body.cells.size() / tuning.maxSpots;
   const double u = body.tool.x() / body.tool.z(), v = body.tool.y() / body.tool.z();
   for (std::size_t i = 0; i < body.cells.size(); i += step) {
     const int cell = body.cells[i];
     const double q = patch.q[static_cast<std::size_t>(cell)];
-    m_spots.push_back(
-        {(patch.u0 - u) / patch.cell + cell % patch.side + 0.5,
-         (patch.v0 - v) / patch.cell + cell / patch.side + 0.5, body.points[i], q,
-         deviations * patch.sigma[static_cast<std::size_t>(cell)] + thickness * q * q});
+    m_spots.push_back({(patch.u0 - u) / patch.cell + cell % patch.side + 0.5,
+                       (patch.v0 - v) / patch.cell + cell / patch.side + 0.5, body.points[i], q,
+                       tuning.deviations * patch.sigma[static_cast<std::size_t>(cell)] +
+                           tuning.thickness * q * q});
   }
 }
 
 std::optional<LoadAxis> AxisSearch::next() {
-  constexpr double sameDirection = 0.97;  // cosine of 14 degrees
-  constexpr double samePlace = 0.3;
   if (!m_swept) sweep();
   while (!m_found.empty()) {
     const LoadAxis next = m_found.back().axis;
     m_found.pop_back();
     const bool known = std::any_of(m_given.begin(), m_given.end(), [&](const LoadAxis& axis) {
-      return std::abs(axis.direction.dot(next.direction)) > sameDirection &&
-             (axis.point - next.point).norm() < samePlace;
+      return std::abs(axis.direction.dot(next.direction)) > tuning.sameDirection &&
+             (axis.point - next.point).norm() < tuning.samePlace;
     });
     if (known) continue;
     m_given.push_back(next);
@@ -85,10 +84,9 @@ void AxisSearch::leaveOut(const Vector3d& centre, const Vector3d& direction, dou
 }
 
 void AxisSearch::sweep() {
-  constexpr int directions = 48;
   m_found.clear();
-  for (int k = 0; k < directions; ++k) {
-    const double turn = M_PI * k / directions;
+  for (int k = 0; k < tuning.directions; ++k) {
+    const double turn = M_PI * k / tuning.directions;
     lookAlong(std::cos(turn), std::sin(turn));
   }
   std::sort(m_found.begin(), m_found.end(),
@@ -98,12 +96,11 @@ void AxisSearch::sweep() {
 
 /// Cuts the picture into lanes of this direction.
 void AxisSearch::lookAlong(double cosine, double sine) {
-  constexpr double width = 2.0;  // cells
-  const int half = static_cast<int>(m_limits.farthest / m_cell / width) + 1;
+  const int half = static_cast<int>(m_limits.farthest / m_cell / tuning.laneWidth) + 1;
   m_lanes.resize(static_cast<std::size_t>(2 * half + 1));
   for (auto& lane : m_lanes) lane.clear();
   for (const Spot& spot : m_spots) {
-    const double across = (spot.y * cosine - spot.x * sine) / width + half + 0.5;
+    const double across = (spot.y * cosine - spot.x * sine) / tuning.laneWidth + half + 0.5;
     if (!(across >= 0.0 && across < static_cast<double>(m_lanes.size()))) continue;
     m_lanes[static_cast<std::size_t>(across)].push_back({spot.x * cosine + spot.y * sine, &spot});
   }
@@ -112,16 +109,13 @@ void AxisSearch::lookAlong(double cosine, double sine) {
 
 /// Of lines through two of the lane's spots, one on either side of the tool, the best.
 void AxisSearch::tryLane(const std::vector<Member>& lane) {
-  constexpr int draws = 12;
-  constexpr std::size_t fewest = 3;
-  constexpr double middle = 2.0;  // cells: surely the tool's
   for (auto& side : m_sides) side.clear();
   for (const Member& m : lane) {
-    if (std::abs(m.t) > middle) m_sides[m.t < 0.0 ? 0 : 1].push_back(m);
+    if (std::abs(m.t) > tuning.middle) m_sides[m.t < 0.0 ? 0 : 1].push_back(m);
   }
-  if (m_sides[0].size() < fewest || m_sides[1].size() < fewest) return;
+  if (m_sides[0].size() < tuning.minMembers || m_sides[1].size() < tuning.minMembers) return;
   std::optional<Scored> best;
-  for (int k = 0; k < draws; ++k) {
+  for (int k = 0; k < tuning.draws; ++k) {
     const Member& a = m_sides[0][m_random() % m_sides[0].size()];
     const Member& b = m_sides[1][m_random() % m_sides[1].size()];
     const auto axis = through(a.spot->point, b.spot->point);
@@ -144,7 +138,7 @@ std::optional<LoadAxis> AxisSearch::through(const Vector3d& a, const Vector3d& b
 
 /// The points on the lesser arm, and a little for the other; 0 when one arm is too short.
 double AxisSearch::score(const LoadAxis& axis, const Member& a, const Member& b) const {
-  const double slope = (b.spot->q - a.spot->q) / (b.t - a.t), bin = 2.0 * m_cell;
+  const double slope = (b.spot->q - a.spot->q) / (b.t - a.t), bin = tuning.binCells * m_cell;
   std::array<Arm, 2> arms;
   for (const auto& side : m_sides) {
     for (const Member& m : side) {
@@ -155,7 +149,8 @@ double AxisSearch::score(const LoadAxis& axis, const Member& a, const Member& b)
   }
   const Arm::Run left = arms[0].run(), right = arms[1].run();
   if (std::min(left.length, right.length) * bin < m_limits.minArm) return 0.0;
-  return std::min(left.points, right.points) + 0.1 * std::max(left.points, right.points);
+  return std::min(left.points, right.points) +
+         tuning.longerArm * std::max(left.points, right.points);
 }
 
 }  // namespace boomwatch

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <vector>
 
+#include "load/log/log_tuning.h"
+
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double roughness = 0.03;  ///< metres by which a log is no cylinder
-constexpr double slack = 0.05;      ///< metres by which a whole slice may lie behind it
-constexpr double shared = 0.3;      ///< share of a point's noise that its neighbours have as well
-constexpr double inner = 0.6;  ///< of the half width that is looked at; an edge has little depth
+constexpr LogTuning::Ends tuning;
 
 /// What the camera sees in a slice across the cylinder, along its near line.
 struct Slice {
@@ -35,14 +34,14 @@ struct Slices {
 
 /// A few stray measurements do not count, among others nor alone.
 SliceKind kindOf(const Slice& slice, double noise) {
-  constexpr double least = 0.3;
   const int seen = slice.on + slice.behind + slice.before;
-  if (seen < least * slice.expected || seen == 0) return SliceKind::Empty;
+  if (seen < tuning.minSeen * slice.expected || seen == 0) return SliceKind::Empty;
   if (slice.before > slice.on && slice.before > slice.behind) return SliceKind::Covered;
   if (slice.on <= slice.behind) return SliceKind::Ended;
-  const double mean = slice.sum / slice.on, allowed = slack * slice.q * slice.q;
+  const double mean = slice.sum / slice.on, allowed = tuning.slack * slice.q * slice.q;
   // Where the flat end faces the camera, it leaves the round surface backwards.
-  const double within = 3.0 * noise * std::sqrt(1.0 / slice.on + shared * shared);
+  const double within =
+      tuning.meanWithin * noise * std::sqrt(1.0 / slice.on + tuning.shared * tuning.shared);
   return mean < -(within + allowed) ? SliceKind::Ended : SliceKind::On;
 }
 
@@ -51,10 +50,10 @@ void addTo(Slices& cutting, const CylinderFrame::Seen& seen, double noise,
   const double place = (seen.u - cutting.begin) / cutting.width;
   if (!(place >= 0.0 && place < static_cast<double>(cutting.slices.size()))) return;
   const double half = (outline.edge(seen.u, true) - outline.edge(seen.u, false)) / 2.0;
-  if (std::abs(seen.v - cylinder.axisV(seen.u)) > inner * half) return;
+  if (std::abs(seen.v - cylinder.axisV(seen.u)) > tuning.inner * half) return;
   Slice& slice = cutting.slices[static_cast<std::size_t>(place)];
   const double expected = outline.q(seen.u, seen.v), off = seen.q - expected;
-  const double gate = 3.5 * noise + roughness * expected * expected;
+  const double gate = LogTuning::gate * noise + tuning.roughness * expected * expected;
   if (off > gate) {
     ++slice.before;
   } else if (off < -gate) {
@@ -93,9 +92,9 @@ Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCyli
     slice.along = direction.dot(p - tool);
     slice.inPicture = inPicture(patch, frame, p);
     const double half = (outline.edge(u, true) - outline.edge(u, false)) / 2.0;
-    slice.expected = 2.0 * inner * half * cutting.width / (patch.pitch * patch.pitch);
+    slice.expected = 2.0 * tuning.inner * half * cutting.width / (patch.pitch * patch.pitch);
   }
-  for (const int cell : cellsBeside(patch, frame, line, inner * cylinder.radius())) {
+  for (const int cell : cellsBeside(patch, frame, line, tuning.inner * cylinder.radius())) {
     const auto k = static_cast<std::size_t>(cell);
     for (std::size_t i = patch.begin[k]; i < patch.begin[k + 1]; ++i) {
       addTo(cutting, frame.look(patch.samples[i]), patch.noise, cylinder, outline);
@@ -118,8 +117,8 @@ class Walk {
 
   Followed follow(std::ptrdiff_t from, int step) const {
     const auto count = static_cast<std::ptrdiff_t>(m_cutting.slices.size());
-    const int shortest = slicesOf(1.5 * m_patch.cell) + 1, longest = slicesOf(7.0 * m_patch.cell);
-    constexpr int fewest = 2;
+    const int shortest = slicesOf(tuning.endCells * m_patch.cell) + 1,
+              longest = slicesOf(tuning.emptyCells * m_patch.cell);
     Followed end;
     end.u = end.farthest = m_cutting.middle(static_cast<std::size_t>(from));
     int ended = 0, empty = 0, covered = 0, off = 0;
@@ -138,7 +137,7 @@ class Walk {
         ended = empty = covered = 0;
         continue;
       }
-      if (kind == SliceKind::Empty && !slice.inPicture && end.on > 0 && ended >= fewest &&
+      if (kind == SliceKind::Empty && !slice.inPicture && end.on > 0 && ended >= tuning.atBorder &&
           covered == 0) {
         end.seen = true;  // just before the border
         return end;
@@ -150,7 +149,7 @@ class Walk {
         ++(kind == SliceKind::Ended ? ended : empty);
       }
       off += kind == SliceKind::Ended ? 1 : 0;
-      const int enough = end.on > 0 ? shortest : 4 * shortest;
+      const int enough = end.on > 0 ? shortest : tuning.beforeFirst * shortest;
       if (ended >= enough || ended + empty >= longest) {
         // Before a sky that gives no depth an end is seen as well.
         end.seen = covered < shortest;
@@ -178,22 +177,20 @@ double offOnFlat(const Slice& slice, const Vector3d& ray, const Vector3d& outwar
 /// gradually: the place for which what is seen on both fits best. `u` is where it was left for
 /// certain.
 double sharpened(const Slices& cutting, const NearLine& line, double u, int step, double noise) {
-  constexpr int tried = 40;
-  constexpr double farthest = 0.4, facing = -0.1;  // metres; cosine
   const Vector3d outwards = line.direction() * step, edge = line.at(u);
-  if (outwards.dot(edge.normalized()) > facing) return u;
+  if (outwards.dot(edge.normalized()) > tuning.facing) return u;
   const double end = outwards.dot(edge);
   double best = u, least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < tried; ++k) {
-    const double back = farthest * k / tried;
+  for (int k = 0; k < tuning.flatSteps; ++k) {
+    const double back = tuning.flatRange * k / tuning.flatSteps;
     double cost = 0.0;
     for (const Slice& slice : cutting.slices) {
       const double beyond = outwards.dot(line.at(slice.u)) - end;
-      if (slice.on == 0 || slice.q <= 0.0 || std::abs(beyond) > farthest) continue;
+      if (slice.on == 0 || slice.q <= 0.0 || std::abs(beyond) > tuning.flatRange) continue;
       const Vector3d ray(1.0, slice.u, line.v(slice.u));
       const double off = beyond > -back ? offOnFlat(slice, ray, outwards, end - back) : 0.0;
       const double sigmas = (slice.sum / slice.on - off) * std::sqrt(double(slice.on)) / noise;
-      cost += std::min(sigmas * sigmas, 9.0);
+      cost += std::min(sigmas * sigmas, tuning.flatOutlier);
     }
     if (cost < least) {
       least = cost;

@@ -6,6 +6,7 @@
 
 #include "load/log/cylinder_ends.h"
 #include "load/log/cylinder_strip.h"
+#include "load/log/log_tuning.h"
 
 namespace boomwatch {
 namespace {
@@ -14,10 +15,7 @@ using Eigen::Vector3d;
 using Vector5 = Eigen::Matrix<double, ViewedCylinder::parameters, 1>;
 using Matrix5 = Eigen::Matrix<double, ViewedCylinder::parameters, ViewedCylinder::parameters>;
 
-constexpr double roughness = 0.01;  ///< metres by which bark is no cylinder
-constexpr double shared = 0.5;      ///< share of a point's noise that its neighbours have as well
-constexpr double soft = 4.0;        ///< a residual beyond its root pulls less and less
-constexpr double minAspect = 1.5;   ///< of length to diameter; what is stubbier has no axis
+constexpr LogTuning::Fit tuning;
 
 /// What is expected, in a frame; within how much.
 struct Expected {
@@ -27,35 +25,34 @@ struct Expected {
 
 /// What a cylinder is measured by.
 struct Evidence {
-  const Strip& strip;
+  const CylinderStrip& strip;
   const DepthPatch& patch;
   std::optional<Expected> expected;
 };
 
 void addExpected(const Expected& expected, const ViewedCylinder& cylinder,
                  std::vector<double>& out) {
-  constexpr double aside = 0.1, deep = 0.15, thick = 0.05;  // metres, metres, share
   const NearLine& axis = expected.axis;
   for (const double u : {axis.ua, axis.ub}) {
     const double q = axis.q(u);
-    out.push_back((cylinder.axisV(u) - axis.v(u)) / (aside * q));
-    out.push_back((cylinder.axisQ(u) - q) / (deep * q * q));
+    out.push_back((cylinder.axisV(u) - axis.v(u)) / (tuning.aside * q));
+    out.push_back((cylinder.axisQ(u) - q) / (tuning.deep * q * q));
   }
-  out.push_back((cylinder.radius() - expected.radius) / (thick * expected.radius));
+  out.push_back((cylinder.radius() - expected.radius) / (tuning.thick * expected.radius));
 }
 
 /// Residuals in standard deviations: depths first, then the edges, then what is expected.
 void residuals(const Evidence& evidence, const ViewedCylinder& cylinder, std::vector<double>& out) {
-  const Strip& strip = evidence.strip;
+  const CylinderStrip& strip = evidence.strip;
   const DepthPatch& patch = evidence.patch;
   out.clear();
   const CylinderOutline outline(cylinder);
-  for (const Strip::Surface& s : strip.surface) {
-    const double noise = patch.noise * std::sqrt(1.0 / s.count + shared * shared);
-    const double sigma = std::hypot(noise, roughness * s.q * s.q);
+  for (const CylinderStrip::Surface& s : strip.surface) {
+    const double noise = patch.noise * std::sqrt(1.0 / s.count + tuning.shared * tuning.shared);
+    const double sigma = std::hypot(noise, tuning.roughness * s.q * s.q);
     out.push_back((outline.q(s.u, s.v) - s.q) / sigma);
   }
-  for (const Strip::Edge& e : strip.edges) {
+  for (const CylinderStrip::Edge& e : strip.edges) {
     out.push_back((outline.edge(e.u, e.upper) - e.v) / patch.pitch);
   }
   if (evidence.expected) addExpected(*evidence.expected, cylinder, out);
@@ -63,20 +60,19 @@ void residuals(const Evidence& evidence, const ViewedCylinder& cylinder, std::ve
 
 double costOf(const std::vector<double>& residuals) {
   double sum = 0.0;
-  for (const double x : residuals) sum += std::log1p(x * x / soft);
+  for (const double x : residuals) sum += std::log1p(x * x / tuning.soft);
   return sum;
 }
 
 /// Levenberg-Marquardt; beyond about two standard deviations a residual pulls less and less.
 bool refine(const Evidence& evidence, ViewedCylinder& cylinder) {
-  constexpr int iterations = 8;
   std::vector<double> now, moved;
   Eigen::Matrix<double, Eigen::Dynamic, ViewedCylinder::parameters> slope;
   residuals(evidence, cylinder, now);
   if (now.size() < 10) return false;
   slope.resize(static_cast<Eigen::Index>(now.size()), ViewedCylinder::parameters);
   double damping = 1e-3, best = costOf(now);
-  for (int k = 0; k < iterations; ++k) {
+  for (int k = 0; k < tuning.iterations; ++k) {
     for (int j = 0; j < ViewedCylinder::parameters; ++j) {
       ViewedCylinder nudged = cylinder;
       const double step = 1e-5 * std::max(0.01, std::abs(cylinder.x[j]));
@@ -90,7 +86,7 @@ bool refine(const Evidence& evidence, ViewedCylinder& cylinder) {
     Vector5 right = Vector5::Zero();
     for (std::size_t i = 0; i < now.size(); ++i) {
       const Vector5 row = slope.row(static_cast<Eigen::Index>(i)).transpose();
-      const double weight = 1.0 / (1.0 + now[i] * now[i] / soft);
+      const double weight = 1.0 / (1.0 + now[i] * now[i] / tuning.soft);
       left += weight * row * row.transpose();
       right -= weight * row * now[i];
     }
@@ -116,7 +112,7 @@ bool refine(const Evidence& evidence, ViewedCylinder& cylinder) {
 }
 
 /// Of the strip's own guess and what was found before, the one that it agrees with better.
-void chooseStart(Strip& strip, const Evidence& evidence, const CylinderFrame& frame,
+void chooseStart(CylinderStrip& strip, const Evidence& evidence, const CylinderFrame& frame,
                  const CylinderFit& before) {
   ViewedCylinder known = strip.guess;
   const NearLine axis = NearLine::of(frame, {before.centre, before.axis});
@@ -130,8 +126,7 @@ void chooseStart(Strip& strip, const Evidence& evidence, const CylinderFrame& fr
 
 /// Whether what was fitted is round and there: depths and both edges agree with it.
 bool agrees(const Evidence& evidence, const ViewedCylinder& cylinder) {
-  const Strip& strip = evidence.strip;
-  constexpr double within = 3.0, minShare = 0.6;
+  const CylinderStrip& strip = evidence.strip;
   std::vector<double> all;
   residuals(evidence, cylinder, all);
   std::array<int, 3> good{}, count{};  // depths, lower edge, upper edge
@@ -139,10 +134,10 @@ bool agrees(const Evidence& evidence, const ViewedCylinder& cylinder) {
     const std::size_t edge = i - std::min(i, strip.surface.size());
     const std::size_t kind = i < strip.surface.size() ? 0 : strip.edges[edge].upper ? 2 : 1;
     ++count[kind];
-    if (std::abs(all[i]) < within) ++good[kind];
+    if (std::abs(all[i]) < tuning.within) ++good[kind];
   }
   for (std::size_t kind = 0; kind < 3; ++kind) {
-    if (count[kind] < 5 || good[kind] < minShare * count[kind]) return false;
+    if (count[kind] < tuning.minCount || good[kind] < tuning.minShare * count[kind]) return false;
   }
   return true;
 }
@@ -186,31 +181,29 @@ std::optional<Expected> expectedIn(const CylinderFrame& frame, const CylinderLim
 /// How far past an end is looked, for what is no longer the log: some cells of the picture, which
 /// is a long way along what points at the camera. Metres.
 double pastEnd(const DepthPatch& patch, const LoadAxis& start) {
-  constexpr double least = 0.35, cells = 4.0, minSine = 0.1;
   const double sine = start.direction.cross(start.point.normalized()).norm();
-  return std::max(least, cells * patch.cell * start.point.norm() / std::max(sine, minSine));
+  return std::max(tuning.pastEnd, tuning.pastCells * patch.cell * start.point.norm() /
+                                      std::max(sine, tuning.minSine));
 }
 
 }  // namespace
 
 CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const LoadAxis& start,
                         const CylinderLimits& limits) {
-  constexpr int rounds = 2;
-  constexpr double minFilled = 0.7, minOutlined = 0.4;
-  constexpr double room = 0.1;  // metres
   LoadAxis surface = start;
-  Strip::Limits around{limits.maxRadius, limits.minRadius, limits.maxRadius, {limits.toolRadius}};
+  CylinderStrip::Limits around{
+      limits.maxRadius, limits.minRadius, limits.maxRadius, {limits.toolRadius}};
   AlongRange range{limits.toolRadius};
   if (limits.expected) {
     const ExpectedCylinder& expected = *limits.expected;
-    around.halfWidth = 1.6 * expected.radius + room;
+    around.halfWidth = tuning.halfWidth * expected.radius + tuning.room;
     const double beyond = pastEnd(patch, start);
     range.from = start.direction.dot(expected.from - tool) - beyond;
     range.to = start.direction.dot(expected.to - tool) + beyond;
     around.along = range;
   }
   CylinderFit fit;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < tuning.rounds; ++round) {
     const auto frame = CylinderFrame::facing(surface.point, surface.direction, limits.endOn);
     if (!frame) return refused(LoadFault::EndOn);
     const Vector3d local = frame->toLocal(tool);
@@ -223,16 +216,17 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     if (cylinder.radius() > limits.maxRadius) return refused(LoadFault::TooLarge);
     const CylinderEnds ends = findEnds(patch, *frame, cylinder, local, range);
     fit = inCamera(*frame, cylinder, ends, local, limits.toolRadius);
-    if (!(fit.length > minAspect * 2.0 * fit.radius)) return refused(LoadFault::NoBody);
-    if (round + 1 == rounds &&
-        (!agrees(evidence, cylinder) || ends.filled < minFilled || strip->outlined < minOutlined)) {
+    if (!(fit.length > tuning.minAspect * 2.0 * fit.radius)) return refused(LoadFault::NoBody);
+    if (round + 1 == tuning.rounds &&
+        (!agrees(evidence, cylinder) || ends.filled < tuning.minFilled ||
+         strip->outlined < tuning.minOutlined)) {
       return refused(LoadFault::PoorFit);
     }
     const Vector3d away = fit.centre - fit.axis * fit.axis.dot(fit.centre);
     surface = {fit.centre - away.normalized() * fit.radius, fit.axis};
-    around.halfWidth = 1.6 * fit.radius + room;
-    around.along.from = -fit.arm[0] - limits.toolRadius - room;
-    around.along.to = fit.arm[1] + limits.toolRadius + room;
+    around.halfWidth = tuning.halfWidth * fit.radius + tuning.room;
+    around.along.from = -fit.arm[0] - limits.toolRadius - tuning.room;
+    around.along.to = fit.arm[1] + limits.toolRadius + tuning.room;
   }
   return fit;
 }

@@ -6,12 +6,15 @@
 #include <random>
 
 #include "base/median.h"
+#include "load/log/log_tuning.h"
 
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
 using Seen = CylinderFrame::Seen;
+
+constexpr LogTuning::Strip tuning;
 
 /// One cut across the strip.
 struct Slice {
@@ -36,7 +39,7 @@ struct Line {
 Line fittedLine(const std::vector<const Slice*>& slices, double (*y)(const Slice&), double scale) {
   Line line;
   std::vector<double> weights(slices.size(), 1.0);
-  for (int k = 0; k < 6; ++k) {
+  for (int k = 0; k < tuning.rounds; ++k) {
     double w = 0, x = 0, xx = 0, f = 0, xf = 0;
     for (std::size_t i = 0; i < slices.size(); ++i) {
       const double weight = weights[i], u = slices[i]->u, value = y(*slices[i]);
@@ -57,7 +60,7 @@ Line fittedLine(const std::vector<const Slice*>& slices, double (*y)(const Slice
 class Cutter {
  public:
   Cutter(const DepthPatch& patch, const CylinderFrame& frame, const NearLine& line,
-         const Vector3d& tool, const Strip::Limits& limits)
+         const Vector3d& tool, const CylinderStrip::Limits& limits)
       : m_patch(patch),
         m_frame(frame),
         m_line(line),
@@ -119,13 +122,13 @@ class Cutter {
     const auto last = m_samples.begin() + static_cast<std::ptrdiff_t>(end);
     std::sort(first, last, [](const Seen& p, const Seen& q) { return p.v < q.v; });
     const double q = m_line.q(u), v = m_line.v(u);
-    const double gate = 3.5 * m_patch.noise + deep * q * q;
+    const double gate = LogTuning::gate * m_patch.noise + tuning.deep * q * q;
     std::ptrdiff_t start = -1;
     for (auto s = first; s != last; ++s) {
       if (std::abs(s->q - q) > gate) continue;
       if (start < 0 || std::abs(s->v - v) < std::abs((first + start)->v - v)) start = s - first;
     }
-    const double room = m_limits.halfWidth * q - widest * m_patch.pitch;
+    const double room = m_limits.halfWidth * q - tuning.gap * m_patch.pitch;
     if (start < 0 || std::abs((first + start)->v - v) > room / 2.0) return std::nullopt;
     Slice slice;
     slice.u = u;
@@ -143,24 +146,22 @@ class Cutter {
   template <class Iterator>
   std::ptrdiff_t walk(Iterator samples, std::size_t size, std::ptrdiff_t start, int step,
                       Slice& slice) const {
-    constexpr double steep = 0.08;  // metres from a sample to the next
-    constexpr int strays = 2;
     const auto count = static_cast<std::ptrdiff_t>(size);
     const std::size_t side = step < 0 ? 0 : 1;
     std::ptrdiff_t at = start;
     double mean = samples[start].q;
     int off = 0, before = 0;
-    for (auto i = start + step; i >= 0 && i < count && off < strays; i += step) {
+    for (auto i = start + step; i >= 0 && i < count && off < tuning.strays; i += step) {
       const Seen& s = samples[i];
-      if (std::abs(s.v - samples[at].v) > widest * m_patch.pitch) break;
+      if (std::abs(s.v - samples[at].v) > tuning.gap * m_patch.pitch) break;
       const double difference = s.q - mean;
-      if (std::abs(difference) > 3.5 * m_patch.noise + steep * mean * mean) {
+      if (std::abs(difference) > LogTuning::gate * m_patch.noise + tuning.steep * mean * mean) {
         ++off;
         before += difference > 0.0 ? 1 : 0;
         continue;
       }
       at = i, off = before = 0;
-      mean += 0.3 * difference;
+      mean += tuning.meanGain * difference;
     }
     slice.v[side] = samples[at].v + step * m_patch.pitch / 2.0;
     slice.free[side] = before == 0;
@@ -176,12 +177,10 @@ class Cutter {
     return inner.empty() ? m_samples[(slice.begin + slice.end) / 2].q : medianOf(inner);
   }
 
-  static constexpr double widest = 3.5;  ///< times the pitch: a gap
-  static constexpr double deep = 0.15;   ///< metres from the line to what is followed
   const DepthPatch& m_patch;
   const CylinderFrame& m_frame;
   const NearLine& m_line;
-  Strip::Limits m_limits;
+  CylinderStrip::Limits m_limits;
   double m_width, m_begin;
   std::vector<char> m_open;  ///< slices that are looked at
   std::vector<std::size_t> m_first;
@@ -206,27 +205,27 @@ struct Outline {
 
 /// By drawing two slices at a time; the outline that most slices fit.
 std::optional<Outline> outlineOf(const std::vector<Slice>& slices, const DepthPatch& patch,
-                                 const Strip::Limits& limits) {
-  constexpr int draws = 150;
-  constexpr double taper = 0.35;
+                                 const CylinderStrip::Limits& limits) {
   std::vector<const Slice*> whole;
   for (const Slice& s : slices) {
     if (s.free[0] && s.free[1]) whole.push_back(&s);
   }
   if (whole.size() < 4) return std::nullopt;
-  const double apart = 0.15 * (whole.back()->u - whole.front()->u);
+  const double apart = tuning.drawsApart * (whole.back()->u - whole.front()->u);
   std::minstd_rand random(1);
   std::optional<Outline> best;
   int most = 0;
-  for (int k = 0; k < draws; ++k) {
+  for (int k = 0; k < tuning.draws; ++k) {
     const Slice& a = *whole[random() % whole.size()];
     const Slice& b = *whole[random() % whole.size()];
     if (!(std::abs(a.u - b.u) > apart)) continue;
     const double widthA = (a.v[1] - a.v[0]) / a.q, widthB = (b.v[1] - b.v[0]) / b.q;
-    if (std::abs(widthA - widthB) > taper * std::min(widthA, widthB)) continue;
-    if (!(widthA > 2.0 * limits.minRadius && widthA < 2.2 * limits.maxRadius)) continue;
+    if (std::abs(widthA - widthB) > tuning.taper * std::min(widthA, widthB)) continue;
+    if (!(widthA > tuning.minWidth * limits.minRadius &&
+          widthA < tuning.maxWidth * limits.maxRadius))
+      continue;
     Outline tried;
-    tried.within = 2.0 * patch.pitch + 0.015 * a.q;
+    tried.within = tuning.outlinePitches * patch.pitch + tuning.outlineMetres * a.q;
     for (const std::size_t side : {0U, 1U}) {
       tried.sides[side] = Line::through(a.u, a.v[side], b.u, b.v[side]);
     }
@@ -239,12 +238,12 @@ std::optional<Outline> outlineOf(const std::vector<Slice>& slices, const DepthPa
 
 /// Of a few equal parts of a slice: as good as all its samples, and far fewer.
 void addMeans(const std::vector<Seen>& samples, const Slice& slice,
-              std::vector<Strip::Surface>& surface) {
-  constexpr double parts = 5.0;
-  const double width = std::max(1e-9, (samples[slice.end - 1].v - samples[slice.begin].v) / parts);
+              std::vector<CylinderStrip::Surface>& surface) {
+  const double width =
+      std::max(1e-9, (samples[slice.end - 1].v - samples[slice.begin].v) / tuning.parts);
   for (std::size_t k = slice.begin; k < slice.end;) {
     const double limit = samples[k].v + width;
-    Strip::Surface mean{0.0, 0.0, 0.0, 0};
+    CylinderStrip::Surface mean{0.0, 0.0, 0.0, 0};
     for (; k < slice.end && (samples[k].v < limit || mean.count == 0); ++k) {
       mean.u += samples[k].u, mean.v += samples[k].v, mean.q += samples[k].q;
       ++mean.count;
@@ -277,15 +276,14 @@ ViewedCylinder guessFrom(const std::vector<const Slice*>& slices, const Outline&
 
 }  // namespace
 
-std::optional<Strip> cutStrip(const DepthPatch& patch, const CylinderFrame& frame,
-                              const NearLine& line, const Vector3d& tool,
-                              const Strip::Limits& limits) {
-  constexpr std::size_t minSurface = 20, minSlices = 5;
+std::optional<CylinderStrip> cutStrip(const DepthPatch& patch, const CylinderFrame& frame,
+                                      const NearLine& line, const Vector3d& tool,
+                                      const CylinderStrip::Limits& limits) {
   Cutter cutter(patch, frame, line, tool, limits);
   const std::vector<Slice> slices = cutter.cut();
   const auto outline = outlineOf(slices, patch, limits);
   if (!outline) return std::nullopt;
-  Strip strip;
+  CylinderStrip strip;
   std::vector<const Slice*> kept;
   for (const Slice& s : slices) {
     if (!outline->fits(s)) continue;
@@ -297,7 +295,8 @@ std::optional<Strip> cutStrip(const DepthPatch& patch, const CylinderFrame& fram
       }
     }
   }
-  if (kept.size() < minSlices || strip.surface.size() < minSurface) return std::nullopt;
+  if (kept.size() < tuning.minSlices || strip.surface.size() < tuning.minSurface)
+    return std::nullopt;
   strip.guess = guessFrom(kept, *outline, patch);
   strip.outlined = static_cast<double>(kept.size()) / static_cast<double>(slices.size());
   return strip;

@@ -7,9 +7,9 @@
 
 namespace boomwatch {
 
-/// What is seen of a long round thing along a line, without the tool, in the axes of a
+/// The part of a cylinder that is seen along a line, without the tool, in the axes of a
 /// CylinderFrame.
-struct Strip {
+struct CylinderStrip {
   /// Where a slice across it ends before something that is farther away.
   struct Edge {
     double u, v;
@@ -36,8 +36,8 @@ struct Strip {
 /// ends, and keeps those whose ends lie on two straight lines, as a cylinder's outline does: what
 /// stands before it, and what it touches, are left away. `tool` in the frame's axes, metres. Absent
 /// when no two lines hold enough. Deterministic; pure.
-std::optional<Strip> cutStrip(const DepthPatch& patch, const CylinderFrame& frame,
-                              const NearLine& line, const Eigen::Vector3d& tool,
-                              const Strip::Limits& limits);
+std::optional<CylinderStrip> cutStrip(const DepthPatch& patch, const CylinderFrame& frame,
+                                      const NearLine& line, const Eigen::Vector3d& tool,
+                                      const CylinderStrip::Limits& limits);
 
 }  // namespace boomwatch

@@ -6,11 +6,15 @@
 
 #include "load/log/axis_search.h"
 #include "load/log/cylinder_fit.h"
+#include "load/log/log_tuning.h"
 
 namespace boomwatch {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr LogTuning::Find tuning;
+constexpr LogTuning::Follow follow;
 
 /// Metres.
 struct Sizes {
@@ -24,12 +28,10 @@ struct Reaches {
   double farthest;  ///< from the tool point to the axis
 
   Reaches(const DepthPatch& patch, const Vector3d& tool, const LoadParameters& parameters) {
-    constexpr double armCells = 4.0, thickest = 0.25;  // of the largest size, as a diameter
-    constexpr double thinnest = 0.03;
-    constexpr double above = 0.15;  // by which a grapple is longer than it is wide
-    cylinder = {parameters.toolSize / 2.0, thinnest, thickest / 2.0 * parameters.maxSize};
-    minArm = armCells * patch.cell * tool.z();
-    farthest = parameters.toolSize + above;
+    cylinder = {parameters.toolSize / 2.0, tuning.thinnest,
+                tuning.thickest / 2.0 * parameters.maxSize};
+    minArm = tuning.armCells * patch.cell * tool.z();
+    farthest = parameters.toolSize + tuning.above;
   }
 };
 
@@ -45,23 +47,19 @@ OrientedBox boxOf(const CylinderFit& log) {
 
 /// On both sides of the tool, and seen there; a boom that passes the tool is not held by it.
 bool isHeld(const CylinderFit& fit, const Reaches& reaches) {
-  constexpr double minShown = 0.5, nearMiddle = 0.33;
   // The tool point lies on the tool's near side: of what points at the camera it is nearer that
   // end.
-  constexpr double toolDepth = 0.2;
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   const double shorter = std::min(fit.arm[0], fit.arm[1]) + reaches.cylinder.toolRadius;
   return std::min(fit.arm[0], fit.arm[1]) > reaches.minArm &&
-         std::min(fit.shown[0], fit.shown[1]) > minShown * reaches.minArm &&
-         shorter + toolDepth * towards > nearMiddle * fit.length;
+         std::min(fit.shown[0], fit.shown[1]) > tuning.minShown * reaches.minArm &&
+         shorter + tuning.toolDepth * towards > tuning.nearMiddle * fit.length;
 }
 
 bool isWhole(const CylinderFit& fit) { return fit.endSeen[0] && fit.endSeen[1]; }
 
 /// Whether something is seen all the way from the tool point to the log: what holds it.
 bool hangsTogether(const CylinderFit& fit, const DepthPatch& patch, const Vector3d& tool) {
-  constexpr double deep = 0.35;  // metres by which a grapple is deeper than a line in it
-  constexpr double open = 0.3;   // metres that a grapple that is seen through may show
   const Vector3d foot = fit.centre + fit.axis * fit.axis.dot(tool - fit.centre);
   const double apart = (foot - tool).norm() - fit.radius, step = patch.cell * tool.z();
   double gap = 0.0;
@@ -71,28 +69,26 @@ bool hangsTogether(const CylinderFit& fit, const DepthPatch& patch, const Vector
     if (cell < 0 || std::isnan(patch.q[static_cast<std::size_t>(cell)])) continue;
     const double z = patch.point(cell).z();
     const double noise = 3.0 * patch.sigma[static_cast<std::size_t>(cell)] * p.z() * p.z();
-    gap += z > p.z() + deep + noise ? step : 0.0;
+    gap += z > p.z() + tuning.deep + noise ? step : 0.0;
   }
-  return gap < open;
+  return gap < tuning.open;
 }
 
 /// Whether the body goes on where the log ends, as a boom does at its joints.
 bool goesOn(const CylinderFit& fit, const LoadBody& body, const DepthPatch& patch) {
-  constexpr double reach = 0.4, beside = 0.2, nearest = 0.08;  // metres beyond an end, or beside it
-  constexpr int stray = 8;                                     // cells
   const double towards = std::abs(fit.axis.dot(fit.centre.normalized()));
   std::array<int, 2> beyond{};
   for (std::size_t i = 0; i < body.points.size(); ++i) {
     const Vector3d offset = body.points[i] - fit.centre;
     const double along = fit.axis.dot(offset), past = std::abs(along) - fit.length / 2.0;
-    if (past < -nearest || past > reach) continue;
+    if (past < -tuning.onNearest || past > tuning.onwards) continue;
     const double z = body.points[i].z(), aside = (offset - along * fit.axis).norm() - fit.radius;
     const double noise = 2.0 * patch.sigma[static_cast<std::size_t>(body.cells[i])] * z * z;
-    const bool isPast = past > nearest + noise * towards && aside < beside;
-    const bool isAside = aside > nearest + noise && aside < reach;
+    const bool isPast = past > tuning.onNearest + noise * towards && aside < tuning.onBeside;
+    const bool isAside = aside > tuning.onNearest + noise && aside < tuning.onwards;
     if (isPast || isAside) ++beyond[along < 0.0 ? 0 : 1];
   }
-  return std::max(beyond[0], beyond[1]) > stray;
+  return std::max(beyond[0], beyond[1]) > tuning.stray;
 }
 
 /// What says more: that something is there, that it is seen from end to end, or more of it.
@@ -107,9 +103,9 @@ bool saysMore(const CylinderFit& fit, const CylinderFit& than) {
 /// How well the place of an end along the axis is known: some pixels, and the less the more it
 /// points at the camera.
 double endWithin(const CylinderFit& log, const DepthPatch& patch) {
-  constexpr double least = 0.1, pixels = 3.0;
   const double sine = log.axis.cross(log.centre.normalized()).norm();
-  return least + pixels * patch.pitch * log.centre.norm() / std::max(sine, 0.1);
+  return tuning.endWithin +
+         tuning.endPitches * patch.pitch * log.centre.norm() / std::max(sine, tuning.minSine);
 }
 
 /// Makes it as large as is known; the end that is seen stays where it is, and the other one must
@@ -140,29 +136,26 @@ std::optional<Sizes> knownSizes(const LoadParameters& parameters,
 }
 
 bool isAsThick(const CylinderFit& fit, double radius) {
-  constexpr double share = 0.3;
-  return std::abs(fit.radius - radius) < share * radius;
+  return std::abs(fit.radius - radius) < tuning.thickShare * radius;
 }
 
 /// followLog() where the expected pose is nearly right.
 LoadDetection followFrom(const DepthPatch& patch, const Vector3d& tool,
                          const LoadParameters& parameters, const OrientedBox& expected) {
-  constexpr double aside = 0.3, turned = 0.94;  // metres; cosine of 20 degrees
-  constexpr double endOn = 0.12;                // radians
   const Reaches reaches(patch, tool, parameters);
   const Vector3d axis = expected.rotation.col(0);
   const Vector3d away = (expected.centre - axis * axis.dot(expected.centre)).normalized();
   const double radius = expected.size.y() / 2.0;
   const Vector3d half = axis * expected.size.x() / 2.0;
   const CylinderLimits limits{
-      reaches.cylinder.toolRadius, 0.7 * radius, 1.4 * radius, endOn,
+      reaches.cylinder.toolRadius, follow.thinner * radius, follow.thicker * radius, follow.endOn,
       ExpectedCylinder{expected.centre - half, expected.centre + half, radius}};
   CylinderFit log = fitCylinder(patch, tool, {expected.centre - away * radius, axis}, limits);
   if (log.fault != LoadFault::None) return LoadDetection::refused(log.fault);
   const Vector3d offset = expected.centre - log.centre;
   const double across = (offset - log.axis * log.axis.dot(offset)).norm();
   const Vector3d toTool = tool - log.centre;
-  if (std::abs(log.axis.dot(axis)) < turned || across > aside ||
+  if (std::abs(log.axis.dot(axis)) < follow.turned || across > follow.aside ||
       (toTool - log.axis * log.axis.dot(toTool)).norm() > reaches.farthest ||
       !isAsThick(log, radius) || std::max(log.shown[0], log.shown[1]) < reaches.minArm) {
     return LoadDetection::refused(LoadFault::NoBody);
@@ -185,17 +178,16 @@ LoadDetection followFrom(const DepthPatch& patch, const Vector3d& tool,
 
 bool isLog(const OrientedBox& box) {
   return std::abs(box.size.y() - box.size.z()) < 0.01 * box.size.y() &&
-         box.size.x() > 1.5 * box.size.y();
+         box.size.x() > tuning.logAspect * box.size.y();
 }
 
 LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
                       const LoadParameters& parameters, const std::optional<OrientedBox>& known) {
-  constexpr int maxTried = 7;
   const Reaches reaches(patch, body.tool, parameters);
   AxisSearch search(patch, body, {reaches.cylinder.toolRadius, reaches.minArm, reaches.farthest});
   CylinderFit log;
   log.fault = LoadFault::NoBody;
-  for (int k = 0; k < maxTried && !(log.fault == LoadFault::None && isWhole(log)); ++k) {
+  for (int k = 0; k < tuning.maxTried && !(log.fault == LoadFault::None && isWhole(log)); ++k) {
     const auto axis = search.next();
     if (!axis) break;
     CylinderFit fit = fitCylinder(patch, body.tool, *axis, reaches.cylinder);
@@ -220,13 +212,10 @@ LoadDetection findLog(const DepthPatch& patch, const LoadBody& body,
 
 LoadDetection followLog(const DepthPatch& patch, const Vector3d& tool,
                         const LoadParameters& parameters, const OrientedBox& expected) {
-  // How far it has turned since towards the camera, or away: of its pose that is seen least.
-  // Radians.
-  constexpr std::array turns{0.0, 0.08, -0.08, 0.16, -0.16};
   const Vector3d across = expected.centre.cross(expected.rotation.col(0));
   LoadDetection untilted = LoadDetection::refused(LoadFault::EndOn);
   if (!(across.norm() > 0.0)) return untilted;
-  for (const double turn : turns) {
+  for (const double turn : follow.tilts) {
     OrientedBox tried = expected;
     tried.rotation =
         Eigen::AngleAxisd(turn, across.normalized()).toRotationMatrix() * expected.rotation;
