@@ -18,11 +18,11 @@ namespace boomwatch {
 namespace {
 
 constexpr double maxScale = 64.0;     // pixels a cell
-constexpr double stripHeight = 24.0;  // the legend's
-constexpr double keptInSight = 32.0;  // of the map, while it is dragged
+constexpr double stripHeight = 24.0;  // of the legend
+constexpr double keptInSight = 32.0;  // pixels of the map, while it is dragged
 
-/// The outline of a box on the model's plane: the hull of its projected corners. Empty where the
-/// box reaches behind the camera of a perspective model.
+/// The outline of a box on the model's plane: the hull of its projected corners. Empty when the box
+/// reaches behind the camera of a perspective model.
 std::vector<cv::Point2f> footprint(const OrientedBox& box, const GridGeometry& geometry) {
   std::vector<cv::Point2f> corners;
   for (const auto& corner : box.corners()) {
@@ -131,7 +131,7 @@ QString MapView::readout(const QPoint& cell) const {
     words << QStringLiteral("x ") + metresText(p.x()) << QStringLiteral("y ") + metresText(p.y())
           << QStringLiteral("z ") + metresText(p.z());
   } else if (geometry.isPerspective()) {
-    // A ray without a surface has no place, only a direction.
+    // Without a surface a ray has a direction, but no position.
     const double z = geometry.bounds().zMax / 2;
     words << QStringLiteral("x/z ") + QLocale().toString(geometry.xOf(cell.x()) / z, 'f', 2)
           << QStringLiteral("y/z ") + QLocale().toString(geometry.yOf(cell.y()) / z, 'f', 2);
@@ -184,8 +184,8 @@ void MapView::drawCells(QPainter& painter) {
     painter.drawImage(seen, image(), cells);
     return;
   }
-  // Averaged rather than picked when there are more cells than pixels: a thing of one cell must not
-  // vanish.
+  // Averaged, not sampled, when there are more cells than pixels: an object of one cell must stay
+  // visible.
   const QSize size = map.size().toSize().expandedTo({1, 1});
   if (m_reducedOf != image().cacheKey() || m_reduced.size() != size) {
     m_reduced = image().scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -222,16 +222,16 @@ void MapView::drawOverlay(QPainter& painter) const {
   }
 }
 
-/// A line around the cells that are too small to count: they are there, and they are left out.
+/// A line around ignored cells, so that they look different from obstacles.
 void MapView::drawSuppressed(QPainter& painter) const {
-  constexpr std::size_t most = 2000;  // more would hide the map, and take their time
+  constexpr std::size_t maxCells = 2000;  // more would cover the map and draw slowly
   const auto& cells = m_display->result->suppressed;
   const auto columns = static_cast<std::size_t>(model()->geometry().columns());
-  const std::size_t count = std::min(cells.size(), most);
+  const std::size_t count = std::min(cells.size(), maxCells);
   QRegion all;
   for (std::size_t n = 0; n < count;) {
     const std::size_t first = n, column = cells[n] % columns, row = cells[n] / columns;
-    // Neighbours in a row at once: a region takes its time for each part.
+    // Adjacent cells of a row as one rectangle, because a region is slow with many parts.
     while (++n < count && cells[n] == cells[n - 1] + 1 && cells[n] / columns == row) continue;
     const QPointF cell(static_cast<double>(column), static_cast<double>(row));
     const QRectF run(m_origin + cell * m_scale,

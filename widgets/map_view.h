@@ -11,11 +11,11 @@ namespace boomwatch {
 
 enum class MapKind { Probability, Environment };
 
-/// One of the model's two maps, a pixel a cell: x right, y down, as the camera sees it. Hatched
-/// where nothing was ever observed. The environment map also shows load, rays and nearest point.
+/// One of the two maps of the model, a pixel a cell: x right, y down, as in the picture. Unobserved
+/// cells are hatched. The environment map also shows load, search rays and nearest point.
 ///
-/// Wheel zooms about the cursor, drag pans, double click or F fits; arrows, + and - do the same
-/// from the keyboard. GUI thread.
+/// The wheel zooms about the cursor, a drag pans, a double click or F fits the map. Arrow keys pan,
+/// + and - zoom. GUI thread.
 class MapView : public QWidget {
   Q_OBJECT
 
@@ -30,8 +30,8 @@ class MapView : public QWidget {
   QPointF positionOf(double x, double y) const;
   /// Pixels a cell.
   double scale() const { return m_scale; }
-  /// In perspective a ray without a surface has "x/z 0.20  y/z -0.10" instead of a place.
-  /// "x 1.20 m  y -0.30 m  z 3.70 m  P 0.62  occupied"; empty outside the map.
+  /// "x 1.20 m  y -0.30 m  z 3.70 m  P 0.62  occupied"; empty outside the map. In perspective a
+  /// cell without a surface has the direction "x/z 0.20  y/z -0.10" instead of a position.
   QString readout(const QPoint& cell) const;
 
   QSize sizeHint() const override { return {360, 260}; }
@@ -39,11 +39,11 @@ class MapView : public QWidget {
 
  public slots:
   void fit();
-  /// Zooms by `factor` and keeps what lies at `anchor` (widget coordinates) where it is.
+  /// Zooms by `factor` about `anchor` (widget coordinates).
   void zoom(double factor, const QPointF& anchor);
 
  signals:
-  /// The read-out under the cursor; empty when it leaves the map.
+  /// The read-out under the cursor; empty when the cursor leaves the map.
   void readoutChanged(const QString& text);
 
  protected:
@@ -65,6 +65,7 @@ class MapView : public QWidget {
   double fittingScale() const;
   void drawCells(QPainter& painter);
   void drawOverlay(QPainter& painter) const;
+  /// Outlines the cells of ignored components.
   void drawSuppressed(QPainter& painter) const;
   void drawStrip(QPainter& painter) const;
   void pan(const QPointF& by);
@@ -74,12 +75,12 @@ class MapView : public QWidget {
   DisplayPtr m_display;
   double m_scale = 1.0;
   QPointF m_origin;      ///< widget position of the map's upper left corner
-  bool m_fitted = true;  ///< follows resizes until a person zooms or pans
+  bool m_fitted = true;  ///< the map fits the widget until the person zooms or pans
   std::optional<QPointF> m_cursor;
   std::optional<QPointF> m_dragFrom;
   QString m_readout;
-  QImage m_reduced;        ///< the whole map scaled down, while cells are smaller than pixels
-  qint64 m_reducedOf = 0;  ///< the image it was made from
+  QImage m_reduced;        ///< the map scaled down, while cells are smaller than pixels
+  qint64 m_reducedOf = 0;  ///< cache key of its image
 };
 
 }  // namespace boomwatch

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t fewest = 10, enough = 400;  ///< points that are looked at
+constexpr std::size_t minPoints = 10, maxPoints = 400;  ///< used for the fit
 
 struct Line {
   Vector3d point, axis;
@@ -54,17 +54,17 @@ std::vector<Vector3d> heldBy(const Line& line, const std::vector<Vector3d>& poin
 }  // namespace
 
 std::optional<Beam> beamIn(const Points& points, double radius) {
-  constexpr double stray = 0.02;    // of its points at either end
-  constexpr double slender = 1.25;  // length to width
-  const std::size_t step = std::max<std::size_t>(1, points.size() / enough);
+  constexpr double stray = 0.02;    // share of points cut off at either end, as outliers
+  constexpr double slender = 1.25;  // minimum of length to width
+  const std::size_t step = std::max<std::size_t>(1, points.size() / maxPoints);
   std::vector<Vector3d> some;
   for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i].cast<double>());
-  if (some.size() < fewest) return std::nullopt;
+  if (some.size() < minPoints) return std::nullopt;
   Line line = maxHeld(some, radius);
   std::vector<Vector3d> held;
   for (int pass = 0; pass < 2; ++pass) {
     held = heldBy(line, some, radius);
-    if (held.size() < fewest) return std::nullopt;
+    if (held.size() < minPoints) return std::nullopt;
     line = through(held);
   }
   std::vector<double> along;

@@ -7,19 +7,18 @@
 
 namespace boomwatch {
 
-/// Finds the rest of a boom whose elbow is out of the picture, so that the part which holds the
-/// tool and the part on which that hangs are two things in the cloud. Camera frame, metres. Const;
-/// any thread.
+/// Finds the main boom when the elbow is outside the picture. The jib, which holds the tool, and
+/// the main boom are then two clusters of the cloud. Camera frame, metres. Const; any thread.
 class BoomBeyond {
  public:
-  /// `seen`: points of the boom that hang together with the tool, without tool and load. Finds
-  /// nothing without the camera that saw them, or where no part of the boom is straight.
+  /// `seen`: points of the tool's cluster without tool and load, that is the jib. isPart() is
+  /// always false when the jib is not straight, or without the camera that measured the points.
   BoomBeyond(const Points& seen, const std::optional<PinholeCamera>& camera);
 
-  /// Whether `piece`, a cluster, is straight, and its axis meets that of the boom out of the
-  /// picture, at whose edge both end. Trees and stumps are not straight together with the ground
-  /// they stand on, and axes of things that do not belong together pass by each other.
-  bool isPart(const Points& piece) const;
+  /// Whether `cluster` is the main boom: it is straight, its axis meets the jib's axis outside the
+  /// picture, and both end at the edge of the picture. A tree forms one cluster with the ground, so
+  /// it is not straight. The axes of unrelated objects do not meet.
+  bool isPart(const Points& cluster) const;
 
  private:
   bool leavesPicture(const Beam& beam, const Eigen::Vector3d& towards) const;
@@ -28,11 +27,11 @@ class BoomBeyond {
   std::optional<Beam> m_jib;
 };
 
-/// Second moments of points: how long and how wide what they cover is.
+/// Second moments of points, from which the length and width of a cluster follow.
 class Spread {
  public:
   void add(const Eigen::Vector3f& p);
-  /// Cheap, and rather once too often than not; BoomBeyond::isPart decides.
+  /// A cheap test before BoomBeyond::isPart. It may pass a cluster that is not straight.
   bool mayBeStraight() const;
 
  private:

@@ -10,9 +10,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t fewest = 10;  ///< points of which a box says anything
+constexpr std::size_t minPoints = 10;  ///< of a box
 
-/// Columns: the axes along which the points spread, the longest first; right-handed.
+/// Columns: the principal axes of the points, the longest first; right-handed.
 Matrix3d principalAxes(std::span<const Vector3d> points) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& p : points) mean += p / static_cast<double>(points.size());
@@ -34,11 +34,11 @@ OrientedBox boxAround(std::span<const Vector3d> points, const Matrix3d& axes) {
   return {axes * (low + high) / 2, high - low, axes};
 }
 
-/// Cuts a boom at its bends. Sorts `points` along the boom on the way.
+/// Cuts a boom at its bends. Sorts `points` along the boom.
 void cutAtBends(std::span<Vector3d> points, std::vector<OrientedBox>& segments) {
-  constexpr double maxBend = 0.4;
-  constexpr std::size_t most = 8;  // segments: a boom has fewer, a heap of anything may not
-  if (points.size() < fewest || segments.size() >= most) return;
+  constexpr double maxBend = 0.4;         // metres from a straight line
+  constexpr std::size_t maxSegments = 8;  // a boom has fewer; bounds the work for other clusters
+  if (points.size() < minPoints || segments.size() >= maxSegments) return;
   const Matrix3d axes = principalAxes(points);
   const auto along = [&](const Vector3d& p) { return axes.col(0).dot(p); };
   std::sort(points.begin(), points.end(),
@@ -50,7 +50,7 @@ void cutAtBends(std::span<Vector3d> points, std::vector<OrientedBox>& segments) 
       std::max_element(points.begin(), points.end(),
                        [&](const Vector3d& a, const Vector3d& b) { return off(a) < off(b); });
   const auto before = static_cast<std::size_t>(bend - points.begin());
-  if (!(off(*bend) > maxBend) || before < fewest || points.size() - before < fewest) {
+  if (!(off(*bend) > maxBend) || before < minPoints || points.size() - before < minPoints) {
     segments.push_back(boxAround(points, axes));
     return;
   }

@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// Where a piece of the tool may be that does not hang together with its cluster, as a grapple's
-/// jaw does not that is seen behind the load: in the tool's own size, or somewhat farther than its
-/// diameter where that is close to the load (the tool point lies on what is seen of the tool, not
-/// in its middle). Nothing is so near to the load and not yet touched, but what hangs together with
-/// larger things. The load's own points say nothing about what hangs together with them.
-struct HangsAtTool {
+/// The region in which a separate cluster still belongs to the tool, such as a grapple's jaw that
+/// is visible behind the load. The region is the tool's own size, and close to the load somewhat
+/// more: the tool point lies on the visible side of the tool, not in its middle. An obstacle this
+/// near to the load belongs to a larger cluster, which does not lie wholly in the region. Points of
+/// the load are always in the region.
+struct ToolRegion {
   Vector3f tool;
   double size;  ///< diameter of the tool
   std::optional<ViewedBox> load;
@@ -33,24 +33,24 @@ struct HangsAtTool {
   }
 };
 
-/// One cluster, as far as it matters for finding the tool.
+/// The properties of one cluster that decide its part.
 struct ClusterShape {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3f box;
   float toTool2 = std::numeric_limits<float>::infinity();  ///< nearest point to the tool, squared
   float farthest2 = 0.0F;                                  ///< from the tool, squared
-  bool hangsAtTool = true;                                 ///< every point; see HangsAtTool
+  bool isAtTool = true;                                    ///< every point is in the ToolRegion
   int points = 0;
-  int known = 0;  ///< where the crane was a moment ago
+  int remembered = 0;  ///< points where the crane was a moment ago
   Spread spread;
 
-  void add(const Vector3f& p, const Vector3f& tool, const HangsAtTool& hangs) {
+  void add(const Vector3f& p, const Vector3f& tool, const ToolRegion& region) {
     sum += p.cast<double>();
     box.extend(p);
     const float squared = (p - tool).squaredNorm();
     toTool2 = std::min(toTool2, squared);
     farthest2 = std::max(farthest2, squared);
-    hangsAtTool = hangsAtTool && hangs(p);
+    isAtTool = isAtTool && region(p);
     spread.add(p);
     ++points;
   }
@@ -70,35 +70,36 @@ const ClusterShape* nearestAtTool(const std::vector<ClusterShape>& shapes, const
 }
 
 bool swallowsScene(const Eigen::AlignedBox3f& box, const Points& points, const Bounds& bounds) {
-  const auto held = std::count_if(points.begin(), points.end(),
-                                  [&](const Vector3f& p) { return box.contains(p); });
+  const auto inside = std::count_if(points.begin(), points.end(),
+                                    [&](const Vector3f& p) { return box.contains(p); });
   const Vector3f sizes = box.sizes();
-  return 2 * static_cast<std::size_t>(held) > points.size() ||
+  return 2 * static_cast<std::size_t>(inside) > points.size() ||
          (2 * sizes.x() > bounds.xMax - bounds.xMin && 2 * sizes.y() > bounds.yMax - bounds.yMin);
 }
 
-/// The parts of the boom that do not hang together with the tool's in the picture.
+/// Marks the clusters of the boom that are not connected to the tool.
 void addBoomBeyond(CraneMask& mask, const std::vector<ClusterShape>& shapes, const Points& points,
-                   const Clusters& clusters, const Cloud& cloud, const HangsAtTool& tool) {
-  std::vector<std::optional<Points>> pieces(shapes.size());  // those that may be a part
+                   const Clusters& clusters, const Cloud& cloud, const ToolRegion& tool) {
+  std::vector<std::optional<Points>> candidates(shapes.size());
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     if (mask.parts[k] != CranePart::Tool && shapes[k].points > 0 &&
         shapes[k].spread.mayBeStraight()) {
-      pieces[k].emplace();
+      candidates[k].emplace();
     }
   }
-  if (std::ranges::none_of(pieces, [](const auto& piece) { return piece.has_value(); })) return;
+  const auto isSet = [](const auto& candidate) { return candidate.has_value(); };
+  if (std::ranges::none_of(candidates, isSet)) return;
   Points seen;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3f& p = points[i];
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
-    if (pieces[label]) pieces[label]->push_back(p);
+    if (candidates[label]) candidates[label]->push_back(p);
     const bool isTools = mask.parts[label] == CranePart::Tool;
     if (isTools && !tool.isWithin(p) && !tool.isLoad(p)) seen.push_back(p);
   }
   const BoomBeyond beyond(seen, cloud.camera);
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (pieces[k] && beyond.isPart(*pieces[k])) mask.parts[k] = CranePart::Boom;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (candidates[k] && beyond.isPart(*candidates[k])) mask.parts[k] = CranePart::Boom;
   }
 }
 
@@ -121,19 +122,19 @@ std::string_view nameOf(ToolMask mask) {
 CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud& cloud,
                     const Vector3f& tool, const std::optional<ViewedBox>& load,
                     const Parameters& parameters, const CraneMemory& memory, bool unseenLoad) {
-  constexpr double mostly = 0.6;
+  constexpr double minRemembered = 0.6;  // share of the points
   const double loadReach = unseenLoad ? parameters.load.maxSize / 2.0 : 0.0;
-  const HangsAtTool hangs{tool, parameters.load.toolSize, load};
+  const ToolRegion region{tool, parameters.load.toolSize, load};
   std::vector<ClusterShape> shapes(clusters.sizes.size());
   CraneMask mask{ToolMask::NothingThere, std::nullopt,
                  std::vector<CranePart>(shapes.size(), CranePart::None)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto label = static_cast<std::size_t>(clusters.labels[i]);
     if (clusters.sizes[label] < parameters.filter.clusterMinimum) continue;
-    shapes[label].add(points[i], tool, hangs);
-    shapes[label].known += memory.knows(points[i]);
+    shapes[label].add(points[i], tool, region);
+    shapes[label].remembered += memory.knows(points[i]);
   }
-  // The tool point is a pixel's; downsampling moved the points around it by up to about R.
+  // The tool point comes from a pixel, and downsampling moved the points around it by about R.
   const double reach = parameters.filter.clusterTolerance + parameters.model.resolution;
   const ClusterShape* const nearest = nearestAtTool(shapes, tool, reach);
   if (nearest == nullptr) return mask;
@@ -145,16 +146,17 @@ CraneMask craneMask(const Points& points, const Clusters& clusters, const Cloud&
   mask.toolBox = {nearest->box.min().cast<double>(), nearest->box.max().cast<double>()};
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     const ClusterShape& shape = shapes[k];
-    if (&shape == nearest || (shape.points > 0 && shape.hangsAtTool)) {
+    if (&shape == nearest || (shape.points > 0 && shape.isAtTool)) {
       mask.parts[k] = CranePart::Tool;
-    } else if (shape.points > 0 && shape.known > shape.points * mostly) {
+    } else if (shape.points > 0 && shape.remembered > shape.points * minRemembered) {
       mask.parts[k] = CranePart::Remembered;
     } else if (shape.points > 0 && shape.farthest2 < loadReach * loadReach) {
       mask.parts[k] = CranePart::MaybeLoad;
     }
   }
-  // Flattened, a boom has no direction.
-  if (!parameters.filter.zReprojection) addBoomBeyond(mask, shapes, points, clusters, cloud, hangs);
+  // Reprojection to one depth flattens the boom, so its axis is unknown.
+  if (!parameters.filter.zReprojection)
+    addBoomBeyond(mask, shapes, points, clusters, cloud, region);
   return mask;
 }
 

@@ -6,9 +6,9 @@
 namespace boomwatch {
 namespace {
 
-constexpr double tick = 1e-6;  // stamps are sums of fractions
+constexpr double tick = 1e-6;  // seconds; absorbs rounding of the stamps
 
-/// 21 bits a coordinate: 250 km to every side.
+/// 21 bits a coordinate, enough for 125 km on either side.
 std::int64_t placeOf(const Eigen::Vector3f& p) {
   constexpr std::int64_t bits = 21, mask = (std::int64_t{1} << bits) - 1;
   std::int64_t place = 0;

@@ -9,18 +9,18 @@
 
 namespace boomwatch {
 
-/// Where boom and tool were a moment ago. What is cut off from the tool's cluster in one frame, by
-/// noise or by what passes before it, is not an obstacle that has come out of nothing. Camera
-/// frame, metres, seconds on the source's clock. knows() may be called by several threads.
+/// Where boom and tool were a moment ago. Noise, or an object that passes in front, can cut a part
+/// off the tool's cluster for one frame. The memory keeps this part from becoming an obstacle.
+/// Camera frame, metres, seconds on the source's clock. Several threads may call knows().
 class CraneMemory {
  public:
-  static constexpr double cell = 0.12;     ///< side of the cubes in which places are remembered
-  static constexpr double lasting = 0.25;  ///< for how long
+  static constexpr double cell = 0.12;     ///< side of the remembered cubes
+  static constexpr double lasting = 0.25;  ///< seconds for which a place is remembered
 
-  /// What was found to be the crane by itself, not what only this memory took for crane: or
-  /// what stands where the boom once was would never be an obstacle.
+  /// Remembers the points of the crane. Without the Remembered clusters: otherwise an object that
+  /// stands where the boom once was would never become an obstacle.
   void note(double stamp, const Points& crane);
-  /// Drops what is too old for a frame of this stamp, and everything when the clock was set back.
+  /// Drops moments that are too old for a frame of this stamp, and those after it (clock set back).
   void forgetBefore(double stamp);
 
   bool knows(const Eigen::Vector3f& p) const;

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector3f;
 
 /// Moves the points of the load to `removed`.
-void takeOut(const ViewedBox& load, Points& points, Points& removed) {
+void removeLoad(const ViewedBox& load, Points& points, Points& removed) {
   std::erase_if(points, [&](const Vector3f& p) {
     const bool isLoad = load.contains(p.cast<double>());
     if (isLoad) removed.push_back(p);
@@ -32,9 +32,8 @@ StaticScene separateStatic(SegmentedCloud segments, const Cloud& cloud,
     const Vector3f at = reprojected(*tool, parameters.filter);
     crane = craneMask(points, clusters, cloud, at, load, parameters, memory, unseenLoad);
     if (crane.state == ToolMask::TooLarge && load) {
-      // The load is at the ground or the like, and the tool hangs together with it by the load
-      // only.
-      takeOut(*load, points, scene.removed);
+      // A load on the ground may connect the tool to the ground.
+      removeLoad(*load, points, scene.removed);
       clusters = clustersOf(points, parameters);
       crane = craneMask(points, clusters, cloud, at, load, parameters, memory, unseenLoad);
     }

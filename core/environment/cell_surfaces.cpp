@@ -10,11 +10,11 @@ using Eigen::Vector3f;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// The point of the same cell that lies at depth z.
+/// The point moved to depth z inside its cell.
 Vector3f movedTo(float z, const Vector3f& point, const GridGeometry& geometry) {
   if (!geometry.isPerspective()) return {point.x(), point.y(), z};
   const Vector3f moved = point * (z / point.z());
-  // Rays spread: at the sides one may leave the bounds, and would show that nothing is there.
+  // Rays diverge. A point that left the bounds at the side would show free space.
   return geometry.bounds().contains(moved) ? moved : point;
 }
 

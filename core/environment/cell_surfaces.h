@@ -9,34 +9,35 @@
 
 namespace boomwatch {
 
-/// What a frame shows of the cells of a model: a point each, at the depth of the surface there.
+/// Reduces a frame to one point for each cell of the model, at the depth of the surface in the
+/// cell.
 ///
-/// A surface that is seen at an angle is nearer at one edge of a cell than in its middle, where the
-/// model has it. By its nearest point alone (Eq. 10) it stands up to half a cell before where it
-/// is. The mean of what lies within two cells of depth behind the nearest point does not. It is at
-/// most one cell behind the nearest point, whatever the cell holds: what stands right before
-/// something else is not lost.
+/// A slanted surface is nearer at one edge of a cell than in its middle. Its nearest point (Eq. 10)
+/// puts it up to half a cell too near. This class takes the mean of all points within two cell
+/// sizes behind the nearest point instead. The result lies at most one cell size behind the nearest
+/// point, so a second surface close behind the first does not hide it.
 ///
-/// Keeps its memory, 4 bytes a cell, between the frames. Not thread-safe.
+/// Keeps its memory, 4 bytes a cell, between frames. Not thread-safe.
 class CellSurfaces {
  public:
-  /// `points`: finite, inside the bounds; camera frame. In order of first appearance; a point
-  /// outside the grid is left out.
+  /// `points`: finite, inside the bounds; camera frame, metres. Returns one point a cell, in order
+  /// of first appearance. Points outside the grid are ignored.
   Points of(std::span<const Eigen::Vector3f> points, const GridGeometry& geometry);
 
  private:
-  /// What is seen of a cell; metres.
+  /// The points of one cell; metres.
   struct Seen {
     std::size_t cell;
-    Eigen::Vector3f first;  ///< of its points
-    float nearest;          ///< depth
-    float behind = 0.0F;    ///< sum of what the points of the surface lie behind that
-    int count = 1;          ///< of these points, with the nearest
+    Eigen::Vector3f first;  ///< the first of them
+    float nearest;          ///< depth of the nearest
+    float behind = 0.0F;    ///< sum of the depths of the surface points behind it
+    int count = 1;          ///< of the surface points, the nearest included
   };
   void note(const Eigen::Vector3f& point, const GridGeometry& geometry);
 
-  std::vector<std::uint32_t> m_seenOfCell;   ///< index of each cell; none between the frames
-  std::vector<std::uint32_t> m_seenOfPoint;  ///< the same of each point
+  std::vector<std::uint32_t>
+      m_seenOfCell;  ///< index into m_seen for each cell; none between frames
+  std::vector<std::uint32_t> m_seenOfPoint;  ///< the same for each point
   std::vector<Seen> m_seen;
 };
 

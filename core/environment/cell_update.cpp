@@ -12,14 +12,14 @@ struct Decay {
 
   explicit Decay(const ModelParameters& p)
       : kept(static_cast<float>(p.pPost)),
-        // What is seen is observed, however little it adds.
+        // A hit makes a cell observed, even if p_prior is tiny.
         hit(std::max(static_cast<float>(p.pPrior), observedFloor)) {}
   float operator()(float probability, bool measured) const {
     return kept * probability + (measured ? hit : 0.0F);
   }
 };
 
-/// Bayes' rule: the odds of what was known, times those of what was seen.
+/// Bayes' rule: prior odds times the odds of the measurement.
 struct Odds {
   float hit, miss, low, high;
 
@@ -29,7 +29,7 @@ struct Odds {
         low(static_cast<float>(p.logOddsLow)),
         high(static_cast<float>(p.logOddsHigh)) {}
   float operator()(float probability, bool measured) const {
-    // By value: std::min and std::max hand out references, and what has an address stays in memory.
+    // By value: std::min returns a reference, which keeps its operands in memory.
     const auto smaller = [](float a, float b) { return b < a ? b : a; };
     const float least = measured ? low : 0.0F, factor = measured ? hit : miss;
     const float before = smaller(probability < least ? least : probability, high);
@@ -38,12 +38,12 @@ struct Odds {
   }
 };
 
-/// Blocks that stay in the first-level cache. The loops over a block have no branch, load nothing
-/// in a choice, and work on one element size where they can: so they vectorise on every x86-64.
+/// Cells of a block, which fits the first-level cache. The loops over a block vectorise on every
+/// x86-64: they have no branch, no load inside a choice, and mostly one element size.
 constexpr std::size_t block = 512;
 
-/// Nothing is known of the cells and nothing was measured in them: no rule changes that. Most of a
-/// grid lies outside the picture.
+/// Whether the cells are unobserved and this frame has no measurement in them. No rule changes such
+/// cells, and most of a grid lies outside the picture.
 [[gnu::always_inline]] inline bool isBlank(const float* p, const std::uint8_t* level,
                                            const std::uint8_t* near, std::size_t count) {
   std::uint8_t bytes = 0;
@@ -53,7 +53,7 @@ constexpr std::size_t block = 512;
   return bytes == 0 && bits == 0;
 }
 
-/// One threshold for what comes and what goes.
+/// A rule with one threshold to enter and to leave.
 template <class Rule>
 struct Blend {
   Rule rule;
@@ -63,7 +63,7 @@ struct Blend {
 
   [[gnu::always_inline]] inline void update(float* p, std::uint8_t* level, std::uint8_t* near,
                                             std::size_t count) const {
-    const Blend limits = *this;  // a copy: loading a member in a choice is a branch
+    const Blend limits = *this;  // a copy, because a load inside a choice is a branch
     std::uint8_t enters[block];
     for (std::size_t k = 0; k < count; ++k) {
       const float updated = limits.rule(p[k], near[k] != 0);
@@ -78,12 +78,12 @@ struct Blend {
   }
 };
 
-/// Eq. (8) with thresholds of their own for what comes and what goes, in depth too.
+/// Eq. (8) with separate thresholds to enter and to leave, also in depth.
 struct Hysteresis {
   Decay rule;
   float enter, leave;
-  float replace;    ///< what is left of a surface when what is seen before it has been seen n times
-  float confirmed;  ///< of what has been seen n times
+  float replace;    ///< probability at which a surface in front replaces this one: after n misses
+  float confirmed;  ///< probability after n hits
 
   explicit Hysteresis(const ModelParameters& p)
       : rule(p),
@@ -96,7 +96,7 @@ struct Hysteresis {
       confirmed = rule(confirmed, true);
       replace *= rule.kept;
     }
-    if (frames == 0) replace = -1.0F;  // nothing enters
+    if (frames == 0) replace = -1.0F;  // no object can enter
   }
 
   [[gnu::always_inline]] inline void update(float* p, std::uint8_t* level, std::uint8_t* near,
@@ -105,12 +105,12 @@ struct Hysteresis {
 
 void Hysteresis::update(float* p, std::uint8_t* level, std::uint8_t* near,
                         std::size_t count) const {
-  const Hysteresis limits = *this;  // a copy: loading a member in a choice is a branch
+  const Hysteresis limits = *this;  // a copy, because a load inside a choice is a branch
   std::uint8_t hit[block], before[block], behind[block], taken[block], enters[block], stays[block];
   for (std::size_t k = 0; k < count; ++k) {
     const auto measured = static_cast<std::uint8_t>(-near[k]);
     const std::uint8_t both = near[k] != 0 && level[k] != 0 ? 0xFF : 0;
-    // No difference is below 0: it stays a byte.
+    // Both differences are at least 0, so they fit a byte.
     const std::uint8_t deeper = std::max(level[k], measured);
     const auto nearer = static_cast<std::uint8_t>(deeper - measured);
     const auto farther = static_cast<std::uint8_t>(deeper - level[k]);
@@ -141,7 +141,7 @@ void Hysteresis::update(float* p, std::uint8_t* level, std::uint8_t* near,
   }
 }
 
-/// The cells of a frame: what is handed to updateCells.
+/// The arguments of updateCells.
 struct Cells {
   std::span<float> probabilities;
   std::span<std::uint8_t> levels;
@@ -160,7 +160,7 @@ template <class Rule>
 }
 
 #ifdef __x86_64__
-/// All that it calls is compiled into it: half the time, and the same to the last bit.
+/// Inlines everything it calls: half the time, the same result to the last bit.
 template <class Rule>
 [[gnu::target("avx2")]] void updateBlocksByAvx2(const Cells& cells, const Rule& rule) {
   updateBlocks(cells, rule);
@@ -175,7 +175,7 @@ void update(const Cells& cells, const Rule& rule) {
   updateBlocks(cells, rule);
 }
 
-/// The sum of Eq. (22), as the rule builds it; it stops growing where float can tell no more apart.
+/// The sum of Eq. (22), by the rule itself. Ends when the float no longer grows.
 template <class Rule>
 std::optional<int> hitsToExceed(float limit, const Rule& rule) {
   float probability = 0.0F;
@@ -217,7 +217,7 @@ double maxProbability(const ModelParameters& parameters) {
 std::optional<int> framesToEnter(const ModelParameters& parameters) {
   const auto limit = static_cast<float>(parameters.probtresh);
   if (parameters.update == ModelUpdate::LogOdds) return hitsToExceed(limit, Odds(parameters));
-  // The fixed point of Eq. (8), which the sum may come to by rounding alone.
+  // The limit of Eq. (8), which the sum might exceed by rounding.
   if (parameters.probtresh >= parameters.pPrior / (1.0 - parameters.pPost)) return std::nullopt;
   return hitsToExceed(limit, Decay(parameters));
 }

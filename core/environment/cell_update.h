@@ -8,42 +8,43 @@
 
 namespace boomwatch {
 
-/// Where an observed cell that nothing is measured in any more counts as unobserved again.
+/// Probability below which a cell without measurements becomes unobserved again.
 inline constexpr float observedFloor = 1e-3F;
-/// What a point behind zMax makes of its cell: seen through in this frame.
+/// Minimum probability of a cell that a point behind zMax shows to be free.
 inline constexpr float seenThrough = 1e-2F;
 
 /// Depth levels by which two measurements of one surface may differ: 3 % of the depth range.
 inline constexpr int sameSurface = 8;
 
-/// One frame for a stretch of cells: their probabilities, their depth levels (0: not occupied) and
-/// 256 - level of what was measured in them, 0 for nothing, which is set back to 0. By `update`:
+/// Updates a range of cells with one frame. `probabilities`: 0..1. `levels`: depth levels, 0: not
+/// occupied. `nearness`: 256 - level of the measurement in the cell, 0: none; set to 0 afterwards.
 ///
-/// - thesis: Eq. 8 and 9 of docs/method.md section 6.
-/// - hysteresis: Eq. 8; a cell enters above `probtresh` and leaves at `leaveThreshold`. What is
-///   measured more than `sameSurface` levels before or behind a cell's surface is a miss of it, not
-///   a hit. Before it, it takes the cell when it has been seen as often as a thing that enters (n
-///   of Eq. 23); behind it, when the surface would leave. So a leaf that falls past does not count,
-///   by whatever background, and a surface that is missed now and then stays. What differs by
-///   less moves the surface by one level a frame: a running median, which noise and a leaf right
-///   before a wall hardly move.
-/// - log-odds: Bayes' rule with the odds of a hit and of a miss, held below `logOddsHigh`; a hit
-///   counts from `logOddsLow` at least (Hornung et al. 2013, OctoMap, eq. 2-4, whose clamping and
-///   default values these are). A cell that is missed goes on below it, until it is forgotten.
+/// - thesis: Eq. 8 and 9 (docs/method.md section 6).
+/// - hysteresis: Eq. 8. A cell enters above `probtresh` and leaves at `leaveThreshold`. A
+/// measurement
+///   within `sameSurface` levels of the cell's surface is a hit, and moves the surface by one
+///   level. This running median hardly reacts to noise. A measurement farther off is a miss. One in
+///   front replaces the surface after as many frames as an object needs to enter (n of Eq. 23), one
+///   behind when the surface leaves. So a falling leaf does not enter, and a surface survives
+///   single misses.
+/// - log-odds: Bayes' rule with the odds of a hit and of a miss, at most `logOddsHigh`. A hit
+/// starts
+///   from at least `logOddsLow`; misses may go below it (Hornung et al. 2013, OctoMap, eq. 2-4,
+///   with their clamping and default values).
 ///
-/// In all three a probability below `observedFloor` becomes 0: unobserved.
+/// In all three, a probability below `observedFloor` becomes 0: unobserved.
 void updateCells(std::span<float> probabilities, std::span<std::uint8_t> levels,
                  std::span<std::uint8_t> nearness, const ModelParameters& parameters);
 
-/// What the probability of a cell that is always hit tends to: of Eq. 8, p_prior / (1 - p_post).
-/// At most 1, and more than 0.
+/// Limit of the probability of a cell that every frame hits; for Eq. 8, p_prior / (1 - p_post).
+/// Above 0, at most 1.
 double maxProbability(const ModelParameters& parameters);
 
-/// Frames in a row that a thing must be seen to enter the model (Eq. 22-23 for the thesis's
-/// update); absent when probtresh lets nothing through.
+/// Frames in a row that must show an object before it enters the model (Eq. 22-23 for the thesis's
+/// update). Absent when no object can exceed probtresh.
 std::optional<int> framesToEnter(const ModelParameters& parameters);
 
-/// Whether a cell that is looked through in every frame still leaves the model.
+/// Whether a cell leaves the model when every frame sees through it.
 bool letsGo(const ModelParameters& parameters);
 
 }  // namespace boomwatch

@@ -7,14 +7,15 @@
 namespace boomwatch {
 namespace {
 
-/// How many cells on is a neighbour. The pixels are some centimetres apart on what they see: where
-/// cells are smaller, rows of them stay empty, and a trunk must not fall to pieces for that.
+/// Maximum distance of neighbours, in cells. Pixels are some centimetres apart on a surface.
+/// Smaller cells leave empty rows between them, which must not split a trunk into several
+/// components.
 int reachOf(const GridGeometry& geometry) {
-  constexpr double apart = 0.04;  // metres: 10 m away at a focal length of 250 pixels
+  constexpr double apart = 0.04;  // metres: one pixel at 10 m with a focal length of 250 pixels
   return std::max(1, static_cast<int>(std::ceil(apart / geometry.resolution() - 1e-6)));
 }
 
-/// The least and the greatest column, row and depth level of a piece.
+/// The minimum and maximum column, row and depth level of a component.
 struct Extent {
   int left = INT32_MAX, right = 0, top = INT32_MAX, bottom = 0, front = INT32_MAX, back = 0;
 
@@ -28,7 +29,7 @@ struct Extent {
     front = std::min(front, level);
     back = std::max(back, level);
   }
-  /// Metres from corner to corner; a cell has no depth. 0: there is none.
+  /// Metres from corner to corner, where a single cell has no depth. 0 without a cell.
   double diagonal(const GridGeometry& geometry) const {
     if (back == 0) return 0.0;
     const double cell = geometry.cellSize(geometry.zOf(front));
@@ -52,15 +53,15 @@ class Joins {
     at(a) = at(b) = root;
     return root;
   }
-  /// Numbers the roots from 0; returns what each label became, and how many there are.
+  /// Numbers the roots from 0. Returns the new number of each label, and the count of roots.
   std::pair<std::vector<std::int32_t>, std::size_t> numbered() {
-    std::vector<std::int32_t> names(m_parent.size());
+    std::vector<std::int32_t> numbers(m_parent.size());
     std::int32_t count = 0;
     for (std::size_t k = 0; k < m_parent.size(); ++k) {
       const auto parent = static_cast<std::size_t>(m_parent[k]);
-      names[k] = parent == k ? count++ : names[parent];
+      numbers[k] = parent == k ? count++ : numbers[parent];
     }
-    return {std::move(names), static_cast<std::size_t>(count)};
+    return {std::move(numbers), static_cast<std::size_t>(count)};
   }
 
  private:
@@ -87,7 +88,7 @@ void Components::label(const EnvironmentModel& model, int tolerance) {
   const int columns = m_geometry.columns(), reach = reachOf(m_geometry);
   m_labels.assign(levels.size(), none);
   Joins joins;
-  // Of each column the last row above this one in which anything is occupied.
+  // For each column, the last occupied row above this one.
   std::vector<int> last(static_cast<std::size_t>(columns), -reach - 1);
   for (int row = 0; row < m_geometry.rows(); ++row) {
     int left = -reach - 1;  // the last occupied column of this row
@@ -99,7 +100,7 @@ void Components::label(const EnvironmentModel& model, int tolerance) {
         if (std::abs(levels[other] - levels[k]) > tolerance) return;
         label = label == none ? m_labels[other] : joins.join(label, m_labels[other]);
       };
-      // Half of the neighbours; the other half find this one.
+      // The neighbours before this cell; it is tested again from those after it.
       if (column - left <= reach) touch(m_geometry.index(left, row));
       const int end = std::min(column + reach, columns - 1);
       for (int i = std::max(column - reach, 0); i <= end; ++i) {
@@ -113,9 +114,9 @@ void Components::label(const EnvironmentModel& model, int tolerance) {
       if (levels[m_geometry.index(column, row)] != 0) last[static_cast<std::size_t>(column)] = row;
     }
   }
-  const auto [names, count] = joins.numbered();
+  const auto [numbers, count] = joins.numbered();
   for (std::int32_t& label : m_labels) {
-    if (label != none) label = names[static_cast<std::size_t>(label)];
+    if (label != none) label = numbers[static_cast<std::size_t>(label)];
   }
   m_components.assign(count, {});
 }
@@ -129,7 +130,7 @@ void Components::measure(const EnvironmentModel& model) {
     for (int column = 0; column < columns; ++column) {
       const std::size_t k = m_geometry.index(column, row);
       if (m_labels[k] == none) continue;
-      // A cell stands for the empty ones between it and the next of its piece.
+      // A cell also covers the empty cells between it and the next cell of its component.
       const auto apart = [&](int cells, int otherColumn, int otherRow) {
         if (cells > reach) return 1;
         return m_labels[m_geometry.index(otherColumn, otherRow)] == m_labels[k] ? cells : 1;
@@ -139,12 +140,12 @@ void Components::measure(const EnvironmentModel& model) {
       left = column;
       above = row;
       const int level = model.levels()[k];
-      const auto piece = static_cast<std::size_t>(m_labels[k]);
-      extents[piece].add(m_geometry, k, level);
-      ++m_components[piece].cells;
-      m_components[piece].probability += static_cast<double>(model.probabilities()[k]);
+      const auto component = static_cast<std::size_t>(m_labels[k]);
+      extents[component].add(m_geometry, k, level);
+      ++m_components[component].cells;
+      m_components[component].probability += static_cast<double>(model.probabilities()[k]);
       const double side = m_geometry.cellSize(m_geometry.zOf(level));
-      m_components[piece].area += cells * side * side;
+      m_components[component].area += cells * side * side;
     }
   }
   for (std::size_t k = 0; k < m_components.size(); ++k) {
@@ -165,7 +166,7 @@ std::optional<Evidence> Components::evidenceAt(const Eigen::Vector3d& onEnvironm
 std::vector<std::size_t> Components::doubtful(const EnvironmentModel& model,
                                               const Limits& limits) const {
   const double minArea = limits.doubtful * limits.doubtful / 3;
-  constexpr double certainPart = 0.5;  // of the whole, from corner to corner
+  constexpr double certainPart = 0.5;  // of the diagonal of the component
   std::vector<Extent> certain(m_components.size());
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none || static_cast<double>(model.probabilities()[k]) < limits.certain) {
@@ -177,10 +178,10 @@ std::vector<std::size_t> Components::doubtful(const EnvironmentModel& model,
   for (std::size_t k = 0; k < m_labels.size(); ++k) {
     if (m_labels[k] == none) continue;
     const auto label = static_cast<std::size_t>(m_labels[k]);
-    const Evidence& piece = m_components[label];
-    const bool large = piece.extent >= limits.doubtful && piece.area >= minArea;
-    const double sure = large ? piece.extent : certain[label].diagonal(m_geometry);
-    if (sure == 0.0 || sure < std::max(limits.smallest, certainPart * piece.extent)) {
+    const Evidence& component = m_components[label];
+    const bool large = component.extent >= limits.doubtful && component.area >= minArea;
+    const double sure = large ? component.extent : certain[label].diagonal(m_geometry);
+    if (sure == 0.0 || sure < std::max(limits.smallest, certainPart * component.extent)) {
       cells.push_back(k);
     }
   }
@@ -188,7 +189,7 @@ std::vector<std::size_t> Components::doubtful(const EnvironmentModel& model,
 }
 
 double confidenceOf(const Evidence& evidence, double maxProbability) {
-  constexpr double side = 0.2;  // metres: a thing as large as this counts for about two thirds
+  constexpr double side = 0.2;  // metres; a component of this size has 63 % of the confidence
   const double certain = std::clamp(evidence.probability / maxProbability, 0.0, 1.0);
   return certain * (1.0 - std::exp(-evidence.area / (side * side)));
 }

@@ -10,35 +10,37 @@
 
 namespace boomwatch {
 
-/// The occupied cells of a model, put together to connected pieces: what stands behind a distance
-/// is not its nearest cell alone. Two of the eight neighbours belong together when their surfaces
-/// differ in depth by no more than a tolerance. Where cells are smaller than 4 cm, so do those that
-/// many cells apart (rounded up; R is a cell's side on the model's plane) in column and row; of a
-/// column, or of a cell's own row, only the nearest is asked.
+/// The connected components of the occupied cells of a model. They tell how large the object is
+/// that the nearest cell belongs to.
 ///
-/// rebuild() after an update of the model; everything else is const and may be read by several
-/// threads at once. 4 bytes a cell.
+/// Two cells are connected when they are 8-neighbours and their depths differ by no more than a
+/// tolerance. Neighbours may lie up to 4 cm apart, rounded up to whole cells of the model's plane,
+/// because small cells leave empty rows between them. Of such neighbours only the nearest one of
+/// each column, and of the cell's own row, is tested.
+///
+/// Call rebuild() after each update of the model. All other functions are const and may be called
+/// by several threads at once. 4 bytes a cell.
 class Components {
  public:
-  /// `tolerance` in metres; two depth levels at least, so that a slope does not fall to pieces.
+  /// `tolerance`: metres; at least two depth levels, so that a slope stays one component.
   void rebuild(const EnvironmentModel& model, double tolerance);
 
-  /// The piece of the cell that a surface point lies in (camera frame, metres), without its
-  /// confidence; absent where nothing is occupied.
+  /// The component at a surface point (camera frame, metres), without its confidence. Absent where
+  /// no cell is occupied.
   std::optional<Evidence> evidenceAt(const Eigen::Vector3d& onEnvironment) const;
 
-  /// Of which pieces the cells are not to count.
+  /// Which components are ignored.
   struct Limits {
-    double smallest = 0.0;  ///< metres: diagonal below which none does
-    /// Metres: those with less than this diagonal, or with an area of less than a third of its
-    /// square (a bird's wings are long, a person's arm is larger), count only when what is
-    /// `certain` of them is itself at least the smallest thing, and half as large as the whole: a
-    /// rim that comes and goes with the noise makes nothing of it doubtful, and where a slow bird
-    /// was for long is little of its trail.
+    double smallest = 0.0;  ///< metres: minimum diagonal of a component
+    /// Metres. A component is doubtful when its diagonal is smaller than this, or its area smaller
+    /// than a third of the square of this. The area excludes a bird, whose wings are long and thin.
+    /// A doubtful component counts only if its certain cells span at least `smallest`, and half of
+    /// the component. So a rim that flickers with noise does no harm, and the trail of a slow bird
+    /// stays ignored.
     double doubtful = 0.0;
-    double certain = 0.0;  ///< probability of a cell
+    double certain = 0.0;  ///< minimum probability of a certain cell
   };
-  /// Indices of the cells that do not count, ascending. `model`: that of the last rebuild().
+  /// Indices of the ignored cells, ascending. `model`: that of the last rebuild().
   std::vector<std::size_t> doubtful(const EnvironmentModel& model, const Limits& limits) const;
 
  private:
@@ -48,12 +50,12 @@ class Components {
   void measure(const EnvironmentModel& model);
 
   GridGeometry m_geometry;
-  std::vector<std::int32_t> m_labels;  ///< row-major, a piece's index or `none`
+  std::vector<std::int32_t> m_labels;  ///< row-major; index of the component, or `none`
   std::vector<Evidence> m_components;
 };
 
-/// Of a collision with the piece: see Evidence::confidence. `maxProbability`: of the update in
-/// force. Pure.
+/// Confidence of a collision with a component, 0..1; see Evidence::confidence. `maxProbability`: of
+/// the current update rule. Pure.
 double confidenceOf(const Evidence& evidence, double maxProbability);
 
 }  // namespace boomwatch

@@ -13,7 +13,7 @@ bool DepthView::looksThrough(const Eigen::Vector3d& surface, double size, double
   static constexpr int places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
   for (const auto& [right, down] : places) {
     const auto* seen = seenTowards(surface + Eigen::Vector3d(right, down, 0) * (size / 4));
-    // Written so that a NaN is not looked through.
+    // Written so that a NaN gives false.
     if (!seen || !(static_cast<double>(seen->z()) > surface.z() + room)) return false;
   }
   return true;

@@ -7,19 +7,18 @@
 namespace boomwatch {
 namespace {
 
-/// Of probtresh: a surface below it was missed at least twice before it was hidden. It is on its
-/// way out and goes on, or what is left of the load where it has passed would stay for good.
-constexpr double waning = 0.6;
+/// Share of probtresh. A surface below it missed at least two frames before it was occluded, so it
+/// is about to leave. Keeping it would keep the remains of the load along its path.
+constexpr double minKept = 0.6;
 
-/// Of the highest probability: seen in 18 frames in a row, with the thesis's values. A person who
-/// walks is in no cell for so long, and need not be where he went out of sight.
-constexpr double longKnown = 0.998;
+/// Share of the maximum probability: 18 frames in a row with the thesis's values. A walking person
+/// is in no cell for so long, and may have left the place where he went out of sight.
+constexpr double minOld = 0.998;
 
-/// Metres: a load that enters an obstacle is seen a little behind its surface, with the noise of
-/// depth.
+/// Metres. Noise of depth can put a load that enters an obstacle a little behind its surface.
 constexpr double depthRoom = 0.25;
 
-/// Runs work(0) and work(1) beside each other; throws what they throw.
+/// Runs work(0) and work(1) in parallel; rethrows their exceptions.
 template <class Work>
 void inHalves(const Work& work) {
   auto first = std::async(std::launch::async, [&] { work(0); });
@@ -38,8 +37,8 @@ EnvironmentModel::EnvironmentModel(const GridGeometry& geometry)
 void EnvironmentModel::update(std::span<const Eigen::Vector3f> points,
                               const ModelParameters& parameters,
                               std::span<const Eigen::Vector3f> masked, const DepthView* view) {
-  // What comes from an organised cloud comes from the top of the picture to its bottom, so that
-  // most of a half's points lie in that half of the rows.
+  // The points of an organised cloud run from the top of the picture to the bottom, so most points
+  // of a half lie in the same half of the rows.
   const std::size_t middle = points.size() / 2;
   const std::span<const Eigen::Vector3f> halves[] = {points.first(middle), points.subspan(middle)};
   inHalves([&](int half) {
@@ -60,59 +59,59 @@ EnvironmentModel::Cells EnvironmentModel::cellsOf(int half) const {
 
 void EnvironmentModel::updateRows(int half, std::span<const Eigen::Vector3f> masked,
                                   const DepthView* view, const ModelParameters& parameters) {
-  for (const SeenCell& seen : m_strays[1 - half]) see(seen);
-  m_strays[1 - half].clear();  // they must not go along when the model is copied
+  for (const SeenCell& seen : m_strays[1 - half]) add(seen);
+  m_strays[1 - half].clear();  // a copy of the model must not carry them
   const Cells cells = cellsOf(half);
-  std::vector<HiddenCell> hidden = hiddenCells(cells, masked, view, parameters);
-  std::erase_if(
-      hidden, [least = static_cast<float>(waning * parameters.probtresh)](const HiddenCell& cell) {
-        return cell.level > 0 && cell.probability < least;
-      });
+  std::vector<OccludedCell> occluded = occludedCells(cells, masked, view, parameters);
+  std::erase_if(occluded, [minimum = static_cast<float>(minKept * parameters.probtresh)](
+                              const OccludedCell& cell) {
+    return cell.level > 0 && cell.probability < minimum;
+  });
   const std::size_t count = cells.end - cells.begin;
   updateCells(std::span(m_probabilities).subspan(cells.begin, count),
               std::span(m_levels).subspan(cells.begin, count),
               std::span(m_nearness).subspan(cells.begin, count), parameters);
-  for (const HiddenCell& cell : hidden) {
+  for (const OccludedCell& cell : occluded) {
     m_probabilities[cell.index] = cell.probability;
     m_levels[cell.index] = cell.level;
   }
 }
 
-std::vector<EnvironmentModel::HiddenCell> EnvironmentModel::hiddenCells(
+std::vector<EnvironmentModel::OccludedCell> EnvironmentModel::occludedCells(
     const Cells& cells, std::span<const Eigen::Vector3f> masked, const DepthView* view,
     const ModelParameters& parameters) const {
-  std::vector<HiddenCell> hidden;
+  std::vector<OccludedCell> occluded;
   for (const Eigen::Vector3f& point : masked) {
     const auto cell = m_geometry.indexAt(point);
     if (!cell || !cells.contain(*cell) || m_nearness[*cell] != 0) continue;
-    if (isHidden(*cell, point.z(), view)) {
-      hidden.push_back({*cell, m_probabilities[*cell], m_levels[*cell]});
+    if (isOccluded(*cell, point.z(), view)) {
+      occluded.push_back({*cell, m_probabilities[*cell], m_levels[*cell]});
     }
   }
-  if (!view) return hidden;
-  // What hides a surface from the camera is seldom in the same column.
-  const auto known = static_cast<float>(longKnown * maxProbability(parameters));
+  if (!view) return occluded;
+  // The object that occludes a surface is seldom in the same column.
+  const auto old = static_cast<float>(minOld * maxProbability(parameters));
   for (std::size_t k = cells.begin; k < cells.end; ++k) {
-    if (m_levels[k] == 0 || m_nearness[k] != 0 || m_probabilities[k] < known) continue;
+    if (m_levels[k] == 0 || m_nearness[k] != 0 || m_probabilities[k] < old) continue;
     if (view->hides(m_geometry.surfacePoint(k, m_levels[k]), depthRoom)) {
-      hidden.push_back({k, m_probabilities[k], m_levels[k]});
+      occluded.push_back({k, m_probabilities[k], m_levels[k]});
     }
   }
-  return hidden;
+  return occluded;
 }
 
-/// By something that was taken out of the same cell at depth z.
-bool EnvironmentModel::isHidden(std::size_t cell, double z, const DepthView* view) const {
+/// Whether a masked point at depth z occludes the cell.
+bool EnvironmentModel::isOccluded(std::size_t cell, double z, const DepthView* view) const {
   if (m_levels[cell] == 0) return true;
   const Eigen::Vector3d surface = m_geometry.surfacePoint(cell, m_levels[cell]);
   if (z > surface.z() + depthRoom) return false;
   return !view || !view->looksThrough(surface, m_geometry.cellSize(surface.z()), depthRoom);
 }
 
-/// Half of the time of an update at small cells: what is known beforehand stays out of the loop.
+/// Takes half of the time of an update with small cells, so the loop holds as little as possible.
 template <bool perspective>
 void EnvironmentModel::project(int half, std::span<const Eigen::Vector3f> points) {
-  const GridGeometry grid = m_geometry;  // a copy: the stores below cannot change it
+  const GridGeometry grid = m_geometry;  // a copy, which the stores below cannot change
   const Bounds bounds = grid.bounds();
   const Cells own = cellsOf(half);
   const double columns = grid.columns(), rows = grid.rows();
@@ -125,7 +124,7 @@ void EnvironmentModel::project(int half, std::span<const Eigen::Vector3f> points
     const double toPlane = perspective ? grid.toPlane(z) : 1.0;
     const double row = grid.rowPosition(point.y() * toPlane);        // Eq. (11)
     const double column = grid.columnPosition(point.x() * toPlane);  // Eq. (10)
-    // Written so that a NaN fails, and that nothing is converted that does not fit.
+    // Written so that a NaN fails, and before the conversion, which would overflow.
     if (!(row >= 0.0 && row < rows && column >= 0.0 && column < columns)) continue;
     const std::size_t k = grid.index(static_cast<int>(column), static_cast<int>(row));
     std::uint8_t here = 0;
@@ -145,7 +144,7 @@ void EnvironmentModel::project(int half, std::span<const Eigen::Vector3f> points
   }
 }
 
-void EnvironmentModel::see(const SeenCell& seen) {
+void EnvironmentModel::add(const SeenCell& seen) {
   if (seen.nearness > 0) {
     m_nearness[seen.index] = std::max(m_nearness[seen.index], seen.nearness);
   } else {

@@ -7,23 +7,23 @@
 
 namespace boomwatch {
 
-/// Why there is no distance. One list for the whole chain; `None` when there is one.
+/// Why there is no distance. One list for the whole pipeline; `None` when there is a distance.
 enum class Reason {
   None,
-  NoFrame,          ///< nothing has arrived for longer than max_frame_age
+  NoFrame,          ///< no frame arrived for longer than max_frame_age
   UnreadableFrame,  ///< the source could not read this frame
-  IdenticalFrames,  ///< the source repeats one picture: a pulled cable, a frozen camera
-  FewDepthPixels,   ///< less than min_fill of the cloud was measured
-  SceneMoves,       ///< the picture moves as a whole: the camera is not still
-  ToolLost,         ///< a tracker runs, and has not known for max_tool_age where the tool is
-  NoTool,           ///< the load is to be detected, and nobody said where the tool is
-  NoLoad,           ///< nobody said where the load is
-  LoadNotSeen,      ///< it is to be detected, and was not for longer than max_load_age
-  LoadOutside,      ///< the load is not inside the bounds
-  ToolNotSeen,      ///< tool or boom are watched, but not found in the cloud
-  NoModel,          ///< too few frames yet for anything to enter the model (Eq. 22-23)
-  SearchTooShort,   ///< nothing found, but the search ends before the caution distance
-  NothingObserved,  ///< less than min_observed of the load's neighbourhood was ever seen
+  IdenticalFrames,  ///< the source repeats the same picture: pulled cable, frozen camera
+  FewDepthPixels,   ///< less than min_fill of the cloud has a depth
+  SceneMoves,       ///< the whole picture moves, so the camera moves
+  ToolLost,         ///< the tracker has lost the tool for longer than max_tool_age
+  NoTool,           ///< the load is to be detected, but no tool is selected
+  NoLoad,           ///< the position of the load is not set
+  LoadNotSeen,      ///< the load was not detected for longer than max_load_age
+  LoadOutside,      ///< the load is outside the bounds
+  ToolNotSeen,      ///< tool or boom is watched, but was not found in the cloud
+  NoModel,          ///< too few frames for an object to enter the model (Eq. 22-23)
+  SearchTooShort,   ///< no obstacle found, but the search ends before the caution distance
+  NothingObserved,  ///< less than min_observed of the load's neighbourhood was observed
 };
 
 /// Stable name for files and logs, e.g. "few_depth_pixels"; "" for None.
@@ -34,28 +34,28 @@ enum class LoadPart { Inside, Face, Edge, Corner };
 /// Stable name for files and logs.
 std::string_view toString(LoadPart part);
 
-/// Both ends of the shortest line, and how far apart they are. Camera frame, metres.
+/// The shortest distance and its two witness points. Camera frame, metres.
 struct Nearest {
   double distance = 0.0;  ///< 0: the environment is inside the load's volume
   Eigen::Vector3d onLoad = Eigen::Vector3d::Zero();  ///< witness point on the load
   Eigen::Vector3d onEnvironment =
       Eigen::Vector3d::Zero();  ///< witness point on the model: the centre of a cell's surface
   LoadPart part = LoadPart::Inside;
-  /// Largest error, +-, that the size of a cell and of a depth level alone can cause.
+  /// Maximum error, +-, caused by the size of a cell and of a depth level.
   double quantisation = 0.0;
-  /// It is space that was never seen, and taken for solid (unknown_space), that is nearest.
+  /// The nearest obstacle is unobserved space, which unknown_space treats as solid.
   bool unseen = false;
 };
 
-/// What stands behind the nearest point: the connected piece of the model that it belongs to. A
-/// lone cell counts less than the ground.
+/// The connected component of the model to which the nearest point belongs. A single cell is weaker
+/// evidence than the ground.
 struct Evidence {
-  int cells = 0;             ///< occupied cells of the piece
-  double area = 0.0;         ///< of them, square metres across the line of sight
-  double extent = 0.0;       ///< diagonal of the piece's bounding box, metres
+  int cells = 0;             ///< occupied cells of the component
+  double area = 0.0;         ///< of these cells, square metres across the line of sight
+  double extent = 0.0;       ///< diagonal of the bounding box, metres
   double probability = 0.0;  ///< mean over its cells
-  /// Of a collision there, 0..1: the probability as a share of the highest that the update can
-  /// reach, times how large the piece is, 1 - exp(-area / (20 cm)^2).
+  /// Confidence of a collision there, 0..1: the probability as a share of the maximum of the update
+  /// rule, times 1 - exp(-area / (20 cm)^2).
   double confidence = 0.0;
 };
 
@@ -70,16 +70,16 @@ enum class ClearanceState { Measured, NothingInRange, Unknown };
 /// Stable name for files and logs.
 std::string_view toString(ClearanceState state);
 
-/// How far the load is from the nearest thing, or why that is not known. Never a number that is
-/// not a distance: `nearest` is set if and only if `state` is Measured.
+/// The distance from the load to the nearest obstacle, or the reason why it is unknown. `nearest`
+/// is set if and only if `state` is Measured.
 struct Clearance {
   ClearanceState state = ClearanceState::Unknown;
   Reason reason = Reason::NoFrame;  ///< None unless Unknown
   std::optional<Nearest> nearest;
-  /// Share of the searched neighbourhood (every cell in which something nearer than the reported
-  /// distance could be; what lies outside the bounds counts as unobserved) that was ever observed.
+  /// Observed share of the neighbourhood, 0..1. The neighbourhood is every cell that could hold an
+  /// obstacle nearer than the reported distance. Cells outside the bounds are unobserved.
   std::optional<double> observedShare;
-  std::optional<Evidence> evidence;  ///< set with `nearest`, unless that is unseen space
+  std::optional<Evidence> evidence;  ///< set with `nearest`, unless that is unobserved space
   std::vector<SearchRay> rays;       ///< filled by the `rays` method only
 
   static Clearance unknown(Reason why) { return {ClearanceState::Unknown, why, {}, {}, {}, {}}; }

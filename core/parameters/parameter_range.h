@@ -4,7 +4,7 @@
 
 namespace boomwatch {
 
-/// Whether a row's range or choices allow `value`; a NaN is never allowed.
+/// Whether the range or choices of a row allow `value`. Never true for a NaN.
 constexpr bool inRange(const ParameterInfo& info, const ParameterValue& value) {
   auto within = [&](double v) { return v >= info.minimum && v <= info.maximum; };
   if (const auto* d = std::get_if<double>(&value)) return within(*d);

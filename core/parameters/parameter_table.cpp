@@ -15,7 +15,7 @@ constexpr auto table = [] {
   return all;
 }();
 
-// Every field of Parameters has a row: as many rows as leaves, and no key twice.
+// As many rows as leaves and no key twice, so every field of Parameters has a row.
 static_assert(leafCount<Parameters>() == table.size(), "a field of Parameters has no row");
 static_assert(keysUnique(table), "two rows have the same key");
 static_assert(defaultsInRange(table), "a default lies outside its range");

@@ -23,22 +23,22 @@ struct Choice {
 
 using ParameterValue = std::variant<bool, int, double, std::optional<double>, Choice>;
 
-/// One row of the table from which the dock, the command line, --help and the presets are made.
+/// One row of the table behind the dock, the command line, --help and the presets.
 struct ParameterInfo {
   std::string_view key;
   const char* group;    ///< heading in the dock; translation context "Parameters"
   const char* label;    ///< translation context "Parameters"
   const char* tooltip;  ///< translation context "Parameters"
-  const char* unit;     ///< "" if it has none
-  double minimum;       ///< of numbers
+  const char* unit;     ///< "" without a unit
+  double minimum;       ///< numbers only
   double maximum;
   double step;
-  std::span<const std::string_view> choices;  ///< names of a Choice, as presets spell them
+  std::span<const std::string_view> choices;  ///< names of a Choice, as in presets
   ParameterValue (*get)(const Parameters&);
-  void (*set)(Parameters&, const ParameterValue&);  ///< the alternative must be get()'s
+  void (*set)(Parameters&, const ParameterValue&);  ///< with the same alternative as get()
 };
 
-/// Every parameter there is, in the order a person should see them.
+/// All parameters, in display order.
 std::span<const ParameterInfo> parameterTable();
 
 }  // namespace boomwatch

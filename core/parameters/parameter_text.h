@@ -7,19 +7,20 @@
 
 namespace boomwatch {
 
-/// Throws Error that names the key when there is none such (with the nearest known key).
+/// The row of a key. Throws Error that names an unknown key, and the most similar known one.
 const ParameterInfo& findParameter(std::string_view key);
 
-/// Text as a preset or a command line spells it: "0.04", "off", "exact", "true".
+/// A value as presets and the command line spell it: "0.04", "off", "exact", "true".
 std::string formatValue(const ParameterInfo& info, const ParameterValue& value);
 
-/// Throws Error that names key, value and range. Never accepts NaN, infinities or trailing text.
+/// Reads such a text. Throws Error with key, value and range. Rejects NaN, infinities and trailing
+/// text.
 ParameterValue parseValue(const ParameterInfo& info, std::string_view text);
 
-/// Sets one parameter from text; throws as findParameter and parseValue do.
+/// Sets one parameter from text. Throws like findParameter and parseValue.
 void setParameter(Parameters& parameters, std::string_view key, std::string_view text);
 
-/// "0.001 to 1 m", "off or 0 to 100 m", "exact, rays", "true, false".
+/// The allowed values: "0.001 to 1 m", "off or 0 to 100 m", "exact, rays", "true, false".
 std::string rangeText(const ParameterInfo& info);
 
 }  // namespace boomwatch

@@ -16,16 +16,16 @@ enum class StereoMatcherKind { Sgbm, Bm };
 enum class LowPassMethod { Statistical, Radius };
 enum class ClearanceMethod { Exact, Rays };
 enum class ModelUpdate { Thesis, Hysteresis, LogOdds };
-/// Where a cell has its surface: at the nearest point (the thesis's), or see CellSurfaces.
+/// Depth of a cell: of its nearest point (the thesis's), or of its surface (see CellSurfaces).
 enum class CellDepth { Nearest, Surface };
-/// What is done about space that was never seen; see ClearanceParameters.
+/// Treatment of unobserved space; see ClearanceParameters.
 enum class UnknownSpace { Ignore, Show, Solid };
-/// Auto: detected where a tool is followed, else what the scene knows.
+/// Auto: Detected when a tool is tracked or the source gives one, otherwise Scene.
 enum class LoadSource { Auto, Scene, Manual, Detected };
 enum class LoadShape { Cylinder, Box, Auto };
 enum class LoadDimensions { Learnt, Locked };
 enum class TrackerKind { Manual, Tld, Cmt, Klt, Csrt };
-/// Where in the tool's box its 3-D point is looked for; see toolPointIn().
+/// Which point of the tool's box becomes the tool point; see toolPointIn().
 enum class ToolPointRule { Right, Near };
 
 /// Matching and checking of a rectified pair (docs/method.md section 2). Pixels.
@@ -34,18 +34,18 @@ struct StereoParameters {
   int minDisparity = 0;
   int disparities = 64;     ///< number of disparities searched; a multiple of 16
   int blockSize = 5;        ///< odd
-  int uniqueness = 10;      ///< percent by which the best match must beat the second
-  int consistency = 1;      ///< left/right difference allowed; -1 is off
-  int speckleWindow = 100;  ///< smallest connected piece kept, pixels; 0 is off
-  int speckleRange = 2;     ///< disparity step inside a piece
+  int uniqueness = 10;      ///< percent by which the best match must beat the second best
+  int consistency = 1;      ///< maximum left/right difference; -1 is off
+  int speckleWindow = 100;  ///< minimum size of a connected component, pixels; 0 is off
+  int speckleRange = 2;     ///< maximum disparity step inside a connected component
   int preFilterCap = 31;
   /// Mean horizontal gradient, grey levels a pixel, below which an area is not matched; 0 is off.
   double texture = 0.2;
-  int average = 1;     ///< frames of a still camera that a disparity is the mean of; 1 is off
-  bool refine = true;  ///< correct the right camera so that the rows of both pictures agree
-  int smooth = 11;     ///< width of the neighbourhood that a disparity is the mean of; 0 is off
-  /// Change of disparity from pixel to pixel, pixels, above which it is a veil that the matcher has
-  /// drawn between a near thing and what is behind it, and goes; 0 is off.
+  int average = 1;     ///< frames over which disparity is averaged (static camera); 1 is off
+  bool refine = true;  ///< correct row misalignment by turning the right camera
+  int smooth = 11;     ///< width of the window over which disparity is averaged; 0 is off
+  /// Maximum change of disparity per pixel, pixels; steeper pixels are removed as flying pixels. 0
+  /// is off.
   double maxSlope = 0.6;
 };
 
@@ -54,15 +54,15 @@ struct FilterParameters {
   std::optional<double> zReprojection;  ///< move every kept point to this z; absent: off
   bool lowPass = false;
   LowPassMethod lowPassMethod = LowPassMethod::Statistical;
-  int lowPassNeighbours = 8;       ///< statistical: neighbours looked at
-  double lowPassDeviations = 1.0;  ///< statistical: standard deviations allowed
-  double lowPassRadius = 0.1;      ///< radius: how far a neighbour may be
-  int lowPassMinimum = 3;          ///< radius: neighbours a point must have
+  int lowPassNeighbours = 8;       ///< statistical: number of neighbours compared
+  double lowPassDeviations = 1.0;  ///< statistical: maximum deviation, standard deviations
+  double lowPassRadius = 0.1;      ///< radius: maximum distance of a neighbour
+  int lowPassMinimum = 3;          ///< radius: minimum number of neighbours
   double clusterTolerance = 0.1;
-  /// Pixels: width of the neighbourhood over which the depth of a cloud that comes as one (not from
-  /// our own matching, which has its own) is smoothed as far as it is noisy; below 3 it is not.
+  /// Pixels: width of the window that smooths the depth of clouds that no stereo matching of ours
+  /// produced; below 3 is off.
   int depthSmooth = 5;
-  int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are noise
+  int clusterMinimum = 20;  ///< points after downsampling; smaller clusters are removed as noise
 };
 
 /// The environment model (docs/method.md section 6, Eq. 6-11; see updateCells).
@@ -70,67 +70,66 @@ struct ModelParameters {
   double resolution = 0.04;  ///< R, metres a cell
   double probtresh = 0.5;    ///< P_limit
   double pPrior = 0.2;       ///< added by a hit
-  double pPost = 0.7;        ///< what is left after a frame
+  double pPost = 0.7;        ///< share left after a frame
   ModelUpdate update = ModelUpdate::Hysteresis;
   double leaveThreshold = 0.1;  ///< hysteresis: at and below it a cell leaves
-  double logOddsHit = 0.7;      ///< log-odds: P(occupied) that a measurement alone would give
-  double logOddsMiss = 0.4;     ///< log-odds: P(occupied) that a miss alone would give
-  double logOddsLow = 0.12;     ///< log-odds: the least that a hit starts from
-  double logOddsHigh = 0.97;    ///< log-odds: the most that hits lead to
-  int memoryLimit = 1024;       ///< megabytes the model may take
+  double logOddsHit = 0.7;      ///< log-odds: P(occupied) after one hit alone
+  double logOddsMiss = 0.4;     ///< log-odds: P(occupied) after one miss alone
+  double logOddsLow = 0.12;     ///< log-odds: minimum from which a hit starts
+  double logOddsHigh = 0.97;    ///< log-odds: maximum
+  int memoryLimit = 1024;       ///< maximum of the model, megabytes
   ModelProjection projection = ModelProjection::Parallel;  ///< see GridGeometry
   CellDepth cellDepth = CellDepth::Surface;
 };
 
-/// The search for the nearest thing (docs/method.md section 7).
+/// The search for the nearest obstacle (docs/method.md section 7).
 struct ClearanceParameters {
   ClearanceMethod method = ClearanceMethod::Exact;
   int interval = 8;     ///< I: cells between search rays
   int radius = 70;      ///< L: length of a search ray, cells
   double range = 10.0;  ///< metres beyond which `exact` says "nothing in range"
-  /// Ignore: as if it were free, however little was seen (the thesis's). Show: its share is part of
-  /// the result, and below min_observed there is no distance. Solid: as an obstacle; see
-  /// ExactClearance. What boom, tool and load hide at the moment is exempt.
+  /// Ignore: unobserved space is free (the thesis's). Show: the result has the observed share, and
+  /// below min_observed there is no distance. Solid: unobserved space is an obstacle; see
+  /// ExactClearance. Space that boom, tool and load occlude in this frame is exempt.
   UnknownSpace unknownSpace = UnknownSpace::Show;
-  /// Metres: pieces of the model that are smaller from corner to corner are drawn, but do not
-  /// count.
+  /// Metres: components of the model with a smaller diagonal are drawn but ignored.
   double smallestThing = 0.1;
-  /// Metres: pieces that are smaller than this count only when they are as good as certain; see
-  /// Components::doubtful. A falling leaf is in no cell for so long. Not more: at 0.6, which would
-  /// let every bird of the yard pass, somebody who walks below a real camera counts too late.
+  /// Metres: smaller components are ignored until they are almost certain; see
+  /// Components::doubtful. A falling leaf is in no cell for so long. At 0.6 the model would ignore
+  /// every bird of the yard, but would report a person who walks below a real camera too late.
   double doubtfulThing = 0.4;
 };
 
-/// From what the distance is watched; the smallest leads.
+/// The parts from which the distance is measured. The smallest distance leads.
 struct WatchParameters {
   bool load = true;
-  bool tool = false;  ///< what is within load_tool_size / 2 of the tool point
-  bool boom = false;  ///< the rest of the tool's cluster, in segments
+  bool tool = false;  ///< points within load_tool_size / 2 of the tool point
+  bool boom = false;  ///< the rest of the tool's cluster, in straight segments
 };
 
-/// When each level begins, and when it ends. Metres, seconds.
+/// Where each level begins and ends. Metres, seconds.
 struct WarningParameters {
   double cautionDistance = 2.0;  ///< at and below
   double warningDistance = 1.0;
-  double cautionTime = 2.0;   ///< to contact, at and below; 0 is off
+  double cautionTime = 2.0;   ///< time to contact, at and below; 0 is off
   double warningTime = 1.0;   ///< as cautionTime
   double deadband = 0.05;     ///< a level ends this much farther away than it begins
-  double releaseDelay = 0.5;  ///< for so long a lower level must do before it is shown
+  double releaseDelay = 0.5;  ///< how long a lower level must hold before it is shown
 };
 
-/// The load as the operator describes it, or how it is detected. Metres, degrees (this is what a
-/// person types).
+/// The load as the operator enters it, and settings of its detection. Metres; degrees, because a
+/// person types them.
 struct LoadParameters {
   LoadSource source = LoadSource::Auto;  ///< Scene: only what the source itself knows
   double x = 0.0, y = 0.0, z = 3.0;
   double sizeX = 2.0, sizeY = 0.3, sizeZ = 0.3;
   double yaw = 0.0, pitch = 0.0, roll = 0.0;
-  LoadShape shape = LoadShape::Cylinder;  ///< Auto: a cylinder, or a box where there is none
+  LoadShape shape = LoadShape::Cylinder;  ///< Auto: a cylinder, or a box where no cylinder fits
   LoadDimensions dimensions = LoadDimensions::Learnt;  ///< Locked: the sizes above
   double learnTime = 2.0;  ///< seconds over which sizes are learnt; see LearntLength
-  double maxSize = 5.0;    ///< what is longer is no load
-  double toolSize = 0.8;   ///< diameter, about the tool point, of what is the tool itself
-  double margin = 0.1;     ///< about a detected load, in which points are taken out with it
+  double maxSize = 5.0;    ///< a longer body is rejected
+  double toolSize = 0.8;   ///< diameter of the tool, about the tool point
+  double margin = 0.1;     ///< about a detected load; points in it are masked with the load
 
   /// In the camera frame, metres and radians.
   OrientedBox box() const {
@@ -141,28 +140,28 @@ struct LoadParameters {
   }
 };
 
-/// Following the tool in the image and in space (docs/method.md section 3).
+/// Tracking of the tool in the image and in space (docs/method.md section 3).
 struct TrackingParameters {
   TrackerKind tracker = TrackerKind::Tld;
-  bool learn = true;  ///< where the tracker can: go on learning what the tool looks like
+  bool learn = true;  ///< keep learning the appearance of the tool; Tld only
   ToolPointRule toolPoint = ToolPointRule::Right;
-  double maxToolAge = 0.5;    ///< seconds without the tool's point after which it counts as lost
+  double maxToolAge = 0.5;    ///< seconds without a tool point, after which the tool is lost
   double noise = 0.05;        ///< metres: standard deviation of the point as measured
-  double acceleration = 2.0;  ///< m/s^2: how quickly the tool changes its velocity
-  double maxSpeed = 5.0;      ///< m/s: what is further away than this allows is not the tool
+  double acceleration = 2.0;  ///< m/s^2: how quickly the tool may change its velocity
+  double maxSpeed = 5.0;      ///< m/s: a point farther away than this allows is rejected
 };
 
-/// When the chain is not to be trusted.
+/// Limits beyond which there is no distance.
 struct ValidityParameters {
-  double maxFrameAge = 0.5;  ///< seconds without a frame
-  int identicalFrames = 3;   ///< this many equal frames in a row mean a frozen source
-  double minFill = 0.05;     ///< share of the cloud that must be measured
-  double sceneMotion = 0.6;  ///< share of picture features that move: the camera moves
-  double maxLoadAge = 0.5;   ///< seconds for which a load that is not seen is taken to be there
-  double minObserved = 0.1;  ///< share of the load's neighbourhood that must have been observed
+  double maxFrameAge = 0.5;  ///< maximum seconds without a frame
+  int identicalFrames = 3;   ///< equal frames in a row at which the source is frozen
+  double minFill = 0.05;     ///< minimum share of the cloud with a depth
+  double sceneMotion = 0.6;  ///< maximum share of picture features that move
+  double maxLoadAge = 0.5;   ///< maximum seconds over which an unseen load is extrapolated
+  double minObserved = 0.1;  ///< minimum observed share of the load's neighbourhood
 };
 
-/// Everything that can be tuned, with its defaults. Swapped whole between two frames.
+/// All parameters with their defaults. Replaced as a whole, between two frames.
 struct Parameters {
   Bounds bounds;
   FilterParameters filter;
@@ -176,10 +175,10 @@ struct Parameters {
   ValidityParameters validity;
 };
 
-/// How far from the load the clearance method in force looks, metres.
+/// Range of the current clearance method around the load, metres.
 double searchReach(const Parameters& parameters);
 
-/// Whether that is less than the caution distance: then nothing found does not mean clear.
+/// Whether that range ends before the caution distance. A search without result is then not clear.
 bool searchIsShort(const Parameters& parameters);
 
 }  // namespace boomwatch

@@ -7,17 +7,17 @@
 
 namespace boomwatch {
 
-/// Reads the text of a YAML preset (`key: value` lines) over `base`. `name` stands for the text in
-/// messages. Throws Error naming `name`, line, key, value and range; unknown keys are errors. Does
-/// not check whether the values contradict each other.
+/// Reads the text of a YAML preset (`key: value` lines) over `base`. `name` names the text in
+/// messages. Throws Error with `name`, line, key, value and range, also for an unknown key. Does
+/// not check whether the values agree with each other; see validate().
 Parameters parsePreset(const std::string& text, const std::string& name,
                        const Parameters& base = {});
 
-/// Every parameter as a `key: value` line, in groups.
+/// All parameters as `key: value` lines, in groups.
 std::string presetText(const Parameters& parameters);
 
-/// Runs `work`. An Error that it throws is thrown again with `where` before it, and says that the
-/// whole file was refused.
+/// Runs `work`. Rethrows its Error with `where` in front, and with the remark that the whole file
+/// was rejected.
 void refuseWholeFile(const std::string& where, const std::function<void()>& work);
 
 }  // namespace boomwatch

@@ -4,7 +4,7 @@
 
 #include "parameters/table_row.h"
 
-/// What the rows of the parameter table share: short names, choices, ranges; compile time only.
+/// Short names, choices and ranges for the rows of the parameter table. Compile time only.
 namespace boomwatch::table_row {
 
 /// Marks a text for translation.

@@ -7,7 +7,7 @@
 #include "parameters/parameter_range.h"
 #include "parameters/parameter_table.h"
 
-/// What parameter_table.cpp is written with, and what it is checked by; compile time only.
+/// Building blocks and checks of the parameter table. Compile time only.
 namespace boomwatch::table_row {
 
 using Names = std::span<const std::string_view>;
@@ -30,7 +30,7 @@ constexpr auto& access(auto& parameters) {
   return (parameters.*Group).*Field;
 }
 
-/// The row of one field of one group of Parameters.
+/// Makes the row of one field of one group of Parameters.
 template <auto Group, auto Field>
 constexpr ParameterInfo row(std::string_view key, Text text, Range range = {}, Names names = {}) {
   using T = std::remove_cvref_t<decltype(access<Group, Field>(std::declval<Parameters&>()))>;
@@ -53,7 +53,7 @@ constexpr ParameterInfo row(std::string_view key, Text text, Range range = {}, N
           range.maximum, range.step, names,      get,          set};
 }
 
-/// Takes the place of any leaf of Parameters, so that they can be counted.
+/// Converts to any leaf type of Parameters, so that leafCount() can count the leaves.
 struct AnyLeaf {
   template <class T>
   requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) constexpr operator T() const {

@@ -11,14 +11,14 @@ namespace boomwatch {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
-// Neighbours say nearly the same: every fifth one will do, at a fraction of the work.
+// Only every fifth neighbour is used: adjacent pixels are nearly equal.
 constexpr int stride = 5;
 
-/// What a row's pixels have around them.
+/// Sums over the neighbours of each pixel of a row.
 struct Neighbours {
-  float* sum;    ///< of those that are like it
-  float* alike;  ///< how many those are, itself among them
-  float* close;  ///< how many it could be noise of
+  float* sum;    ///< of the disparities within `alike`
+  float* alike;  ///< their count, the pixel included
+  float* close;  ///< count of those within `jump`
 };
 
 /// Adds the neighbours `shift` columns away. NaN fails the comparisons.
@@ -26,7 +26,7 @@ struct Neighbours {
                                                  int shift, int columns, const Neighbours& to) {
   const int begin = std::max(0, -shift), end = std::min(columns, columns - shift);
   const float* const there = neighbours + shift;
-  // A loop each: together the compiler branches on what is alike, and does one pixel at a time.
+  // Three loops, because the compiler does not vectorise one loop with all three sums.
   float* const sum = to.sum;
   for (int column = begin; column < end; ++column) {
     const float apart = std::abs(there[column] - centre[column]);
@@ -74,8 +74,8 @@ void smoothRow(const cv::Mat& from, int row, int reach, cv::Mat& to, std::vector
   float* const sum = scratch.data();
   const Neighbours around{sum, sum + columns, sum + 2 * columns};
   addAround(from, row, reach, around);
-  // What the corner of a surface has around it. A pixel that could be noise of so much, but is like
-  // less than a quarter of it, is noise. Never on a slope: there it is like a third.
+  // Count of neighbours at the corner of a surface. A pixel with so many close neighbours, but less
+  // than a quarter of them alike, is noise. On a slope a third is alike.
   const auto corner = static_cast<float>((reach / stride + 1) * (reach / stride + 1));
   auto* out = to.ptr<float>(row);
   for (int column = 0; column < columns; ++column) {
@@ -98,7 +98,7 @@ cv::Mat smoothOnce(const cv::Mat& disparity, int window) {
   return result;
 }
 
-/// Whether a disparity may be noise of a surface that is known nearby.
+/// Whether a disparity may be noise of a nearby known surface.
 bool mayBeNoiseOf(const cv::Mat& known, int row, int column, float disparity) {
   constexpr int reach = DisparitySmoother::nearby, apart = reach / 3;
   const int right = std::min(column + reach, known.cols - 1);
@@ -116,8 +116,9 @@ float framesToSettle(float frames) {
   return std::min(frames, static_cast<float>(DisparitySmoother::settled));
 }
 
-/// One pixel. `count`: frames in a row that agree with `mean`, or, below 0, frames without a match.
-float takeIn(float now, float& mean, float& count, float frames) {
+/// Updates one pixel; returns its mean, or NaN until it has settled. `count`: frames in a row that
+/// agree with `mean`; below 0, minus the frames without a match.
+float addFrame(float now, float& mean, float& count, float frames) {
   const float enough = framesToSettle(frames);
   if (std::isnan(now)) {
     count = std::min(count, 0.0F) - 1.0F;
@@ -147,7 +148,7 @@ cv::Mat DisparitySmoother::overTime(const cv::Mat& disparity, int frames) {
     m_frames = cv::Mat(disparity.size(), CV_32FC1, cv::Scalar(0));
   }
   cv::Mat result(disparity.size(), CV_32FC1);
-  // Only what has long been still: the edge of a thing that moves must not wait for the rest of it.
+  // Only old surfaces: the edge of a moving object must not wait for its interior.
   cv::Mat known(disparity.size(), CV_32FC1, cv::Scalar(none));
   m_mean.copyTo(known, m_frames >= frames);
   const float enough = framesToSettle(static_cast<float>(frames));
@@ -162,7 +163,7 @@ cv::Mat DisparitySmoother::overTime(const cv::Mat& disparity, int frames) {
         mean[column] = now[column];
         count[column] = enough - 1.0F;
       }
-      out[column] = takeIn(now[column], mean[column], count[column], static_cast<float>(frames));
+      out[column] = addFrame(now[column], mean[column], count[column], static_cast<float>(frames));
     }
   }
   return result;
@@ -172,7 +173,7 @@ void DisparitySmoother::reset() { m_mean = m_frames = cv::Mat(); }
 
 cv::Mat DisparitySmoother::overSpace(const cv::Mat& disparity, int window) {
   if (window < 2) return disparity;
-  // Twice: the first time a noisy centre still chooses noisy neighbours.
+  // Twice, because in the first pass a noisy centre selects noisy neighbours.
   return smoothOnce(smoothOnce(disparity, window), window);
 }
 

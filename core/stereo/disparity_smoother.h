@@ -4,40 +4,40 @@
 
 namespace boomwatch {
 
-/// Takes the noise out of the disparities of a still camera. A matcher's noise of half a pixel is
-/// decimetres at a few metres, and because a clearance is a minimum over many cells it sees only
-/// the noise that points towards the camera.
+/// Reduces the noise of disparities. Matching noise of half a pixel is decimetres at a few metres.
+/// A clearance is a minimum over many cells, so it keeps the noise that points towards the camera.
 ///
-/// In time: the running mean of a pixel's disparities. A disparity that lies `jump` pixels from it
-/// may be noise, and counts once `settled` frames in a row agree. It counts at once when it is
-/// nearer by more than noise ever is: what comes near must not wait. Where nothing was matched for
-/// as long as is averaged it counts at once as well, unless a surface that has been still for so
-/// long lies within `jump` of it `nearby`: a patch that gains structure, as at the edge of a
-/// shadow, is matched badly at first.
-/// In space: the mean of the neighbours whose disparity is within `alike` pixels of the centre's,
-/// so that edges stay; done twice. A pixel that is like hardly any of them, though within `jump` of
-/// many, is noise of their surface and loses its disparity.
+/// Over time, for a static camera: the running mean of each pixel. A disparity more than `jump`
+/// pixels off the mean may be noise. It is accepted after `settled` frames in a row. Two kinds are
+/// accepted at once:
+/// - a disparity nearer by more than `clearlyNearer`, because an approaching object must not wait;
+/// - a disparity of a pixel that had no match for `frames` frames, unless an old surface within
+///   `nearby` pixels differs from it by at most `jump`. Such a patch has just gained texture, as at
+///   the edge of a shadow, and its first matches are poor.
+/// Over space: the mean of the neighbours within `alike` pixels of the centre's disparity, which
+/// keeps edges; done twice. A pixel with few such neighbours, but many within `jump`, is noise and
+/// loses its disparity.
 /// Used by one thread.
 class DisparitySmoother {
  public:
-  static constexpr float jump = 3.0F;
-  static constexpr float clearlyNearer = 8.0F;
-  static constexpr int settled = 5;
-  static constexpr int nearby = 30;  ///< pixels, across and down
-  static constexpr float alike = 1.0F;
+  static constexpr float jump = 3.0F;           ///< pixels
+  static constexpr float clearlyNearer = 8.0F;  ///< pixels, more than noise
+  static constexpr int settled = 5;             ///< frames
+  static constexpr int nearby = 30;             ///< pixels, across and down
+  static constexpr float alike = 1.0F;          ///< pixels
 
-  /// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `frames`: the newest weighs
-  /// 1/frames (earlier, while there are fewer: as much as each of those before); 1: nothing is
-  /// done. Forgets when the size changes.
+  /// `disparity`: CV_32FC1, pixels, NaN without a match. `frames`: the newest frame has the weight
+  /// 1/frames, or 1/n while there are only n frames; at most 1: returns the input. Forgets all
+  /// frames when the size changes.
   cv::Mat overTime(const cv::Mat& disparity, int frames);
   void reset();
 
-  /// `window`: pixels, full width; below 2: nothing is done. Pure.
+  /// `window`: full width, pixels; below 2: returns the input. Pure.
   static cv::Mat overSpace(const cv::Mat& disparity, int window);
 
  private:
   cv::Mat m_mean;    ///< CV_32FC1
-  cv::Mat m_frames;  ///< CV_32FC1: frames m_mean stands for; below 0, frames without a match
+  cv::Mat m_frames;  ///< CV_32FC1: frames in m_mean; below 0, minus the frames without a match
 };
 
 }  // namespace boomwatch

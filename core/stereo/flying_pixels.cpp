@@ -12,39 +12,39 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// Pixels a pixel; 0 where there is none. Beside a gap, to the one neighbour that there is.
+/// Slope in pixels per pixel; beside a gap, to the one neighbour with a match. 0 without a
+/// neighbour.
 float slopeAt(float before, float here, float after) {
   if (!std::isnan(before) && !std::isnan(after)) return std::abs(after - before) / 2.0F;
   const float change = std::isnan(before) ? after - here : here - before;
   return std::isnan(change) ? 0.0F : std::abs(change);
 }
 
-/// From which slope on a disparity is a veil's.
+/// Slopes above which a disparity is a flying pixel.
 struct Limits {
-  float always;
+  float always;  ///< in any run
   float focalLength;
 
-  /// Where it is narrow. A surface at z whose normal is turned away by t from the line of sight has
-  /// a slope of (B / z) tan t, and B / z is d / f (Eq. 5).
-  float whereNarrow(float disparity) const {
+  /// In a narrow run. A surface at z, whose normal is at the angle t to the line of sight, has the
+  /// slope (B / z) tan t, and B / z is d / f (Eq. 5).
+  float inNarrowRun(float disparity) const {
     constexpr float grazing = 7.1F;  // tan 82 degrees
     return std::clamp(grazing * disparity / focalLength, always / 2.0F, always);
   }
 };
 
-/// Finds the veils along one line of pixels, one after the other.
+/// Finds the narrow steep runs along one line of pixels.
 class SlopeRun {
  public:
-  /// Takes in whether the next pixel may be of a narrow veil, and says how many before it, without
-  /// a gap between, are one that has just ended.
+  /// Adds the next pixel. When it ends a narrow run, returns the length of that run, else 0.
   int add(bool isSteep) {
     const int length = isSteep ? 0 : m_length;
     m_length = isSteep ? m_length + 1 : 0;
-    return length <= narrow ? length : 0;
+    return length <= maxNarrow ? length : 0;
   }
 
  private:
-  static constexpr int narrow = 12;  ///< pixels
+  static constexpr int maxNarrow = 12;  ///< pixels
   int m_length = 0;
 };
 
@@ -56,7 +56,7 @@ void acrossRow(const cv::Mat& disparity, int v, const Limits& limits, cv::Mat& r
     const bool last = u + 1 == disparity.cols;
     const float slope = last ? 0.0F : slopeAt(row[u - 1], row[u], row[u + 1]);
     if (slope > limits.always) out[u] = none;
-    for (int k = run.add(slope > limits.whereNarrow(row[u])); k > 0; --k) out[u - k] = none;
+    for (int k = run.add(slope > limits.inNarrowRun(row[u])); k > 0; --k) out[u - k] = none;
   }
 }
 
@@ -72,7 +72,7 @@ void downColumns(const cv::Mat& disparity, const cv::Range& columns, const Limit
       const float slope = last ? 0.0F : slopeAt(above[u], row[u], below[u]);
       if (slope > limits.always) result.at<float>(v, u) = none;
       SlopeRun& run = runs[static_cast<std::size_t>(u - columns.start)];
-      for (int k = run.add(slope > limits.whereNarrow(row[u])); k > 0; --k) {
+      for (int k = run.add(slope > limits.inNarrowRun(row[u])); k > 0; --k) {
         result.at<float>(v - k, u) = none;
       }
     }
@@ -81,9 +81,9 @@ void downColumns(const cv::Mat& disparity, const cv::Range& columns, const Limit
 
 }  // namespace
 
-cv::Mat withoutFlyingPixels(const cv::Mat& disparity, double steepest, double focalLength) {
+cv::Mat withoutFlyingPixels(const cv::Mat& disparity, double maxSlope, double focalLength) {
   cv::Mat result = disparity.clone();
-  const Limits limits{static_cast<float>(steepest), static_cast<float>(focalLength)};
+  const Limits limits{static_cast<float>(maxSlope), static_cast<float>(focalLength)};
   inBands(disparity.rows, [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v) acrossRow(disparity, v, limits, result);
   });

@@ -4,14 +4,15 @@
 
 namespace boomwatch {
 
-/// Without the veils that a matcher draws between a near thing and what is behind it, a few pixels
-/// wide: disparities that change across or down by more than `steepest` pixels a pixel, as those of
-/// no surface do that is not seen nearly edge-on. A plane beside the camera at a distance of h has
-/// a slope of B / h. Half of `steepest` is enough where it is no wider than a veil, and steeper
-/// than a surface seen at 8 degrees would be: the rim of a near thing, which the matcher draws out
-/// towards what is behind it.
+/// Removes flying pixels: depths that a stereo matcher interpolates across the edge of a near
+/// object.
 ///
-/// `disparity`: CV_32FC1, pixels, NaN where nothing matched. `focalLength`: pixels. Pure.
-cv::Mat withoutFlyingPixels(const cv::Mat& disparity, double steepest, double focalLength);
+/// A pixel is removed when its disparity changes across or down by more than `maxSlope` pixels per
+/// pixel. Only a surface seen nearly edge-on has such a slope: a plane at distance h beside the
+/// camera has a slope of B / h. In a run of at most 12 pixels half of `maxSlope` is enough, if it
+/// is steeper than a surface seen at 8 degrees. Such runs are the smeared rims of near objects.
+///
+/// `disparity`: CV_32FC1, pixels, NaN without a match. `focalLength`: pixels. Pure.
+cv::Mat withoutFlyingPixels(const cv::Mat& disparity, double maxSlope, double focalLength);
 
 }  // namespace boomwatch

@@ -56,7 +56,7 @@ LastAppearance::Level LastAppearance::levelOf(const cv::Mat& grey, double size) 
   return level;
 }
 
-/// The patch lies at `at`, to a pixel.
+/// Correlation of the tool without its rim; the patch lies at `at`, to a pixel.
 double LastAppearance::toolAlone(const cv::Mat& image, cv::Point at) const {
   const cv::Rect tool = cv::Rect(m_tool) & cv::Rect({}, m_patch.size());
   const cv::Rect around(tool.tl() + at - cv::Point(1, 1), tool.size() + cv::Size(2, 2));
@@ -68,7 +68,7 @@ double LastAppearance::toolAlone(const cv::Mat& image, cv::Point at) const {
 std::optional<LastAppearance::Place> LastAppearance::bestOf(
     const std::vector<Level>& levels) const {
   std::optional<Place> best;
-  cv::Rect2d whole;  // with its rim
+  cv::Rect2d whole;  // tool and rim
   for (const Level& level : levels) {
     if (level.fit.empty()) continue;
     double likeness = 0.0;
@@ -86,7 +86,7 @@ std::optional<LastAppearance::Place> LastAppearance::bestOf(
   if (!best) return std::nullopt;
   for (const Level& level : levels) {
     if (level.fit.empty()) continue;
-    // Corners of patches that lie half on the best place or more.
+    // Upper left corners of all patches that cover at least half of the best place.
     const cv::Rect near(cvRound(whole.x * level.scale) - m_patch.cols / 2,
                         cvRound(whole.y * level.scale) - m_patch.rows / 2, m_patch.cols,
                         m_patch.rows);
@@ -109,12 +109,13 @@ std::optional<cv::Rect2d> LastAppearance::find(const cv::Mat& grey) {
   const std::optional<Place> best = bestOf(levels);
   if (!best) return std::nullopt;
   const bool back =
-      m_likest && best->toolAlone >= tuning.alike &&
-      best->likeness >= std::max(tuning.alike, std::max(best->second, *m_likest) + tuning.lead);
-  m_lately.push_back(best->likeness);
-  if (m_lately.size() > tuning.comesBackIn) {
-    m_likest = std::max(m_likest.value_or(-1.0), m_lately.front());
-    m_lately.pop_front();
+      m_maxLikeness && best->toolAlone >= tuning.alike &&
+      best->likeness >=
+          std::max(tuning.alike, std::max(best->second, *m_maxLikeness) + tuning.lead);
+  m_recent.push_back(best->likeness);
+  if (m_recent.size() > tuning.comesBackIn) {
+    m_maxLikeness = std::max(m_maxLikeness.value_or(-1.0), m_recent.front());
+    m_recent.pop_front();
   }
   const bool twice = back && m_last && overlap(m_last->box, best->box) >= tuning.samePlace;
   m_last = back ? best : std::nullopt;
@@ -123,7 +124,7 @@ std::optional<cv::Rect2d> LastAppearance::find(const cv::Mat& grey) {
 
 bool LastAppearance::recognises(const cv::Mat& grey, const cv::Rect2d& box) const {
   if (m_patch.empty()) return false;
-  const double pixel = box.width / m_tool.width;  // image pixels a pixel of the patch
+  const double pixel = box.width / m_tool.width;  // image pixels per patch pixel
   const cv::Rect2d whole(box.x - m_tool.x * pixel, box.y - m_tool.y * pixel, m_patch.cols * pixel,
                          m_patch.rows * pixel);
   const cv::Rect seen(whole);
