@@ -358,7 +358,7 @@ ChartColours ChartColours::print() {
   return {Qt::white, Qt::black, QColor(0xd0, 0xd0, 0xd0), QColor(0, 0, 0, 56), QBrush(tile)};
 }
 
-ChartColours ChartColours::of(const Theme& theme, const QColor& paper) {
+ChartColours ChartColours::fromTheme(const Theme& theme, const QColor& paper) {
   QColor zone = theme.text;
   zone.setAlpha(58);
   return {paper, theme.text, theme.track, zone, hatchBrush(theme)};

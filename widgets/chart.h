@@ -21,7 +21,7 @@ struct ChartColours {
   QBrush gap;                ///< where nothing is known
 
   static ChartColours print();  ///< black on white, for files
-  static ChartColours of(const Theme& theme, const QColor& paper);
+  static ChartColours fromTheme(const Theme& theme, const QColor& paper);
 };
 
 /// How many series are told apart; of more than these some look the same.

@@ -124,7 +124,7 @@ void DistancePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QColor paper = palette().color(QPalette::Base);
   painter.fillRect(rect(), paper);
-  drawChart(painter, area(), figure(), ChartColours::of(themeFor(palette()), paper));
+  drawChart(painter, area(), figure(), ChartColours::fromTheme(themeFor(palette()), paper));
 }
 
 }  // namespace boomwatch

@@ -20,7 +20,7 @@ Vector3f movedTo(float z, const Vector3f& point, const GridGeometry& geometry) {
 
 }  // namespace
 
-Points CellSurfaces::of(std::span<const Vector3f> points, const GridGeometry& geometry) {
+Points CellSurfaces::extract(std::span<const Vector3f> points, const GridGeometry& geometry) {
   m_seenOfCell.resize(geometry.cellCount(), none);
   m_seenOfPoint.clear();
   m_seen.clear();

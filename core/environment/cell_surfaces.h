@@ -22,7 +22,7 @@ class CellSurfaces {
  public:
   /// `points`: finite, inside the bounds; camera frame, metres. Returns one point a cell, in order
   /// of first appearance. Points outside the grid are ignored.
-  Points of(std::span<const Eigen::Vector3f> points, const GridGeometry& geometry);
+  Points extract(std::span<const Eigen::Vector3f> points, const GridGeometry& geometry);
 
  private:
   /// The points of one cell; metres.

@@ -36,7 +36,7 @@ bool WatchedEnvironment::update(const Cloud& cloud, const StaticScene& scene,
   if (anew) m_model = EnvironmentModel(geometry);
   m_exists = true;
   m_evidence = parameters.model.cellDepth == CellDepth::Surface
-                   ? m_surfaces.of(scene.statics, geometry)
+                   ? m_surfaces.extract(scene.statics, geometry)
                    : scene.statics;
   m_evidence.insert(m_evidence.end(), scene.beyond.begin(), scene.beyond.end());
   // Noise is no object, and no evidence of free space either.

@@ -7,7 +7,7 @@
 
 namespace boomwatch {
 
-/// WatchedEnvironment with closed-form geometry. Camera frame, metres.
+/// A simulated environment with closed-form geometry. Camera frame, metres.
 struct Scene {
   Ground ground;
   std::vector<Cylinder> cylinders;

@@ -13,7 +13,7 @@ constexpr double maxPoints = 4e6;
 
 /// z at a place given in cells, from the middles of the four around it; NaN where one is unknown.
 /// Beyond the outermost middles the outermost cells go on.
-float between(const cv::Mat& z, double atColumn, double atRow) {
+float interpolated(const cv::Mat& z, double atColumn, double atRow) {
   const double u = std::clamp(atColumn - 0.5, 0.0, z.cols - 1.0);
   const double v = std::clamp(atRow - 0.5, 0.0, z.rows - 1.0);
   const int i = std::min(static_cast<int>(u), std::max(z.cols - 2, 0));
@@ -48,7 +48,7 @@ std::shared_ptr<const Cloud> cloudOf(const SurfaceMap& map, const std::string& n
   for (int row = 0; row < cloud->height; ++row) {
     for (int column = 0; column < cloud->width; ++column) {
       const double x = (column + 0.5) * step, y = (row + 0.5) * step;
-      const float z = between(map.z, x / map.cell, y / map.cell);
+      const float z = interpolated(map.z, x / map.cell, y / map.cell);
       const Eigen::Vector3f point(static_cast<float>(map.left + x), static_cast<float>(map.top + y),
                                   z);
       cloud->points.push_back(std::isfinite(z) ? point : unmeasuredPoint());

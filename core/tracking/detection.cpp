@@ -59,7 +59,7 @@ void scanLevel(const ScanLevels& levels, int index, const ToolClassifier& tool,
         if (!isRead) scan.read(row, first, codes);
         isRead = true;
         const float share =
-            tool.ferns().of(codes[static_cast<std::size_t>(window - first)], tuning.fernThreshold);
+            tool.ferns().toolShare(codes[static_cast<std::size_t>(window - first)], tuning.fernThreshold);
         if (share < tuning.fernThreshold) continue;
         const ScanWindow place{index, corner};
         found.push_back({levels.boxOf(place), place, share, {}});

@@ -39,7 +39,7 @@ FernEnsemble::Codes FernEnsemble::codesOf(const cv::Mat& patch) const {
   return codes;
 }
 
-float FernEnsemble::of(const Codes& codes, float least) const {
+float FernEnsemble::toolShare(const Codes& codes, float least) const {
   float sum = 0.0F;
   for (std::size_t fern = 0; fern < ferns; ++fern) {
     sum += m_shares[fern * ToolModel::leavesPerFern + codes[fern]];

@@ -27,7 +27,7 @@ class FernEnsemble {
   const std::vector<std::array<cv::Point, 2>>& pairs() const { return m_pairs; }
 
   /// Share of the tool, 0..1, mean over the ferns; 0 as soon as it cannot reach `least`.
-  float of(const Codes& codes, float least) const;
+  float toolShare(const Codes& codes, float least) const;
   Codes codesOf(const cv::Mat& patch) const;
 
   void learn(const Codes& codes, bool positive);

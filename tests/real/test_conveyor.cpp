@@ -104,7 +104,7 @@ class BoxWatch {
     }
     std::vector<std::size_t> cells;
     // Where the model has them: at the middle of what is seen of a cell.
-    for (const Eigen::Vector3f& p : CellSurfaces().of(measured, grid)) {
+    for (const Eigen::Vector3f& p : CellSurfaces().extract(measured, grid)) {
       const std::size_t k = grid.index(grid.columnOf(p.x()), grid.rowOf(p.y()));
       if (k < m_emptyLevels.size() && isNearer(grid.levelOf(p.z()), k, grid)) cells.push_back(k);
     }

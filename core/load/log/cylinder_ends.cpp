@@ -75,7 +75,7 @@ bool inPicture(const DepthPatch& patch, const CylinderFrame& frame, const Vector
 Slices cut(const DepthPatch& patch, const CylinderFrame& frame, const ViewedCylinder& cylinder,
            const Vector3d& tool) {
   const CylinderOutline outline(cylinder);
-  const NearLine line = NearLine::of(cylinder);
+  const NearLine line = NearLine::fromCylinder(cylinder);
   const Vector3d direction = line.direction();
   Slices cutting;
   cutting.width = std::max(2.0 * patch.pitch, patch.cell / 3.0);
@@ -223,7 +223,7 @@ CylinderEnds findEnds(const DepthPatch& patch, const CylinderFrame& frame,
   }
   if (!std::isfinite(least)) return ends;
   const Walk walk(cutting, patch, range);
-  const NearLine line = NearLine::of(cylinder);
+  const NearLine line = NearLine::fromCylinder(cylinder);
   int on = 0, off = 0;
   for (const std::size_t side : {0U, 1U}) {
     const Followed end = walk.follow(static_cast<std::ptrdiff_t>(from), side == 0 ? -1 : 1);

@@ -115,7 +115,7 @@ bool refine(const Evidence& evidence, ViewedCylinder& cylinder) {
 void chooseStart(CylinderStrip& strip, const Evidence& evidence, const CylinderFrame& frame,
                  const CylinderFit& before) {
   ViewedCylinder known = strip.guess;
-  const NearLine axis = NearLine::of(frame, {before.centre, before.axis});
+  const NearLine axis = NearLine::fromAxis(frame, {before.centre, before.axis});
   known.x << axis.v(known.ua), axis.v(known.ub), axis.q(known.ua), axis.q(known.ub), before.radius;
   if (!known.isUsable()) return;
   std::vector<double> ofGuess, ofKnown;
@@ -207,7 +207,7 @@ CylinderFit fitCylinder(const DepthPatch& patch, const Vector3d& tool, const Loa
     const auto frame = CylinderFrame::facing(surface.point, surface.direction, limits.endOn);
     if (!frame) return refused(LoadFault::EndOn);
     const Vector3d local = frame->toLocal(tool);
-    auto strip = cutStrip(patch, *frame, NearLine::of(*frame, surface), local, around);
+    auto strip = cutStrip(patch, *frame, NearLine::fromAxis(*frame, surface), local, around);
     if (!strip) return refused(LoadFault::FewPoints);
     const Evidence evidence{*strip, patch, expectedIn(*frame, limits)};
     if (round > 0) chooseStart(*strip, evidence, *frame, fit);

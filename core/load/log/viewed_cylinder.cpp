@@ -19,14 +19,14 @@ std::optional<CylinderFrame> CylinderFrame::facing(const Vector3d& point, const 
   return frame;
 }
 
-NearLine NearLine::of(const CylinderFrame& frame, const LoadAxis& axis) {
+NearLine NearLine::fromAxis(const CylinderFrame& frame, const LoadAxis& axis) {
   constexpr double step = 0.1;
   const auto a = frame.look(Vector3d(axis.point - step * axis.direction));
   const auto b = frame.look(Vector3d(axis.point + step * axis.direction));
   return {a.u, b.u, a.v, b.v, a.q, b.q};
 }
 
-NearLine NearLine::of(const ViewedCylinder& cylinder) {
+NearLine NearLine::fromCylinder(const ViewedCylinder& cylinder) {
   const CylinderOutline outline(cylinder);
   const double ua = cylinder.ua, ub = cylinder.ub;
   const double va = cylinder.axisV(ua), vb = cylinder.axisV(ub);

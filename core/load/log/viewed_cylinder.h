@@ -66,9 +66,9 @@ struct NearLine {
   Eigen::Vector3d at(double u) const { return Eigen::Vector3d(1.0, u, v(u)) / q(u); }
   /// Towards larger u.
   Eigen::Vector3d direction() const { return (at(ub) - at(ua)).normalized(); }
-  static NearLine of(const CylinderFrame& frame, const LoadAxis& axis);
+  static NearLine fromAxis(const CylinderFrame& frame, const LoadAxis& axis);
   /// Where a cylinder is nearest to the camera.
-  static NearLine of(const ViewedCylinder& cylinder);
+  static NearLine fromCylinder(const ViewedCylinder& cylinder);
 };
 
 /// Along a line, from where it passes the tool. Metres.

@@ -39,7 +39,7 @@ Vector3d elbowOf(const Vector3d& shoulder, const Vector3d& tip, double outer) {
 
 void addBoom(Parts& parts, const Vector3d& pillar, const Vector3d& tip) {
   const auto crane = [&](const Part& part, Material material, int variety) {
-    parts.push_back(as(part, YardKind::Crane, material, variety));
+    parts.push_back(withLook(part, YardKind::Crane, material, variety));
   };
   const Vector3d shoulder = pillar - Vector3d(0.0, pillarHeight, 0.0);
   const double reach = (tip - shoulder).norm();
@@ -69,15 +69,15 @@ void addClaw(Parts& parts, const Hanging& hang, const CarriedLog& log, double si
   for (std::size_t k = 0; k + 1 < std::size(path); ++k) {
     const Vector3d a = hang.at(side * path[k].x(), path[k].y(), z);
     const Vector3d b = hang.at(side * path[k + 1].x(), path[k + 1].y(), z);
-    parts.push_back(as(beam(a, b, 0.06, 0.10, hang.rotation.col(2)), YardKind::Tool,
-                       Material::Grapple, static_cast<int>(k)));
+    parts.push_back(withLook(beam(a, b, 0.06, 0.10, hang.rotation.col(2)), YardKind::Tool,
+                             Material::Grapple, static_cast<int>(k)));
   }
 }
 
 void addGrapple(Parts& parts, const CranePose& pose, const CarriedLog& log) {
   const Hanging hang(pose);
   const auto tool = [&](const Part& part, Material material, int variety) {
-    parts.push_back(as(part, YardKind::Tool, material, variety));
+    parts.push_back(withLook(part, YardKind::Tool, material, variety));
   };
   tool(beam(hang.at(0, 0.04, 0), hang.at(0, 0.34, 0), 0.10, 0.12, hang.rotation.col(2)),
        Material::DarkSteel, 20);
@@ -106,7 +106,7 @@ Part logAt(const CranePose& pose, const CarriedLog& log) {
   const Vector3d centre = hang.at(0, log.drop(), 0);
   const Vector3d half =
       hang.rotation * Vector3d(0, std::sin(log.tilt), std::cos(log.tilt)) * log.length / 2;
-  return as(rod(centre - half, centre + half, log.radius), YardKind::Load, Material::Log, 77);
+  return withLook(rod(centre - half, centre + half, log.radius), YardKind::Load, Material::Log, 77);
 }
 
 Vector3d toolPointAt(const CranePose& pose) { return Hanging(pose).at(0, 0.44, 0); }

@@ -54,10 +54,10 @@ class CranePath::Planner {
   Stop freeStop() {
     for (int attempt = 0; attempt < 2000; ++attempt) {
       Stop stop;
-      const double z = m_dice.between(4.2, 7.6), x = m_dice.between(-0.45, 0.45) * z;
-      const double height = m_dice.between(0.8, 2.3);
+      const double z = m_dice.uniform(4.2, 7.6), x = m_dice.uniform(-0.45, 0.45) * z;
+      const double height = m_dice.uniform(0.8, 2.3);
       stop.load = {x, m_layout.ground.yAt(x, z) - height, z};
-      stop.yaw = m_dice.between(-1.5, 1.5);
+      stop.yaw = m_dice.uniform(-1.5, 1.5);
       if (isInReach(stop) && clearance(stop) > (attempt < 500 ? roomy : 2.0 * margin)) return stop;
     }
     return {0.0, {0.0, 1.4, 5.0}, 1.2};  // amid the yard, where nothing is planted
@@ -85,7 +85,7 @@ class CranePath::Planner {
   /// Straight towards a thing of the next kind, up to the distance at which it is to stop.
   Stop approachFrom(const Stop& start) {
     const OrientedBox box = boxAt(start);
-    const double wanted = m_dice.between(0.35, 1.15);
+    const double wanted = m_dice.uniform(0.35, 1.15);
     for (int attempt = 0; attempt < 8; ++attempt) {
       const YardKind kind = nextKind();
       YardApproach goal{kind, {1e9, {}, {}}};

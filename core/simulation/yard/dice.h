@@ -19,8 +19,8 @@ class Dice {
       : m_state(mixed(mixed(seed + 1) ^ (stream * 0x9e3779b97f4a7c15ULL))) {}
 
   std::uint64_t bits() { return mixed(m_state += 0x9e3779b97f4a7c15ULL); }
-  /// From a up to, not including, b.
-  double between(double a, double b) {
+  /// Uniformly distributed from a up to, not including, b.
+  double uniform(double a, double b) {
     return a + (b - a) * static_cast<double>(bits() >> 11) * 0x1p-53;
   }
   /// From 0 up to, not including, `count`, which is above 0.

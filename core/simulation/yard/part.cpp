@@ -47,7 +47,7 @@ Part ellipsoid(const Vector3d& centre, const Vector3d& size, const Matrix3d& rot
   return part;
 }
 
-Part as(Part part, YardKind kind, Material material, int variety) {
+Part withLook(Part part, YardKind kind, Material material, int variety) {
   part.kind = kind;
   part.material = material;
   part.variety = static_cast<std::uint8_t>(variety);

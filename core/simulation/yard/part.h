@@ -76,7 +76,7 @@ Part beam(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double width, doub
           const Eigen::Vector3d& near = Eigen::Vector3d::UnitZ());
 Part ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& size,
                const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
-Part as(Part part, YardKind kind, Material material, int variety = 0);
+Part withLook(Part part, YardKind kind, Material material, int variety = 0);
 
 /// The same body in a frame whose axes are `rotation`'s rows in the old one.
 Part turned(Part part, const Eigen::Matrix3d& rotation);

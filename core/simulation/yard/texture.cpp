@@ -14,7 +14,7 @@ class Lattice {
  public:
   Lattice() {
     Dice dice(20);
-    for (float& value : m_values) value = static_cast<float>(dice.between(-1.0, 1.0));
+    for (float& value : m_values) value = static_cast<float>(dice.uniform(-1.0, 1.0));
   }
   float at(int x, int y, int z) const {
     return m_values[static_cast<std::size_t>(((z & mask) * side + (y & mask)) * side + (x & mask))];

@@ -42,7 +42,7 @@ Parts personAt(const Walk& walk, const YardGround& ground, double time) {
   };
   Parts parts;
   const auto add = [&](const Part& part, Material material, int variety) {
-    parts.push_back(as(part, YardKind::Person, material, variety));
+    parts.push_back(withLook(part, YardKind::Person, material, variety));
   };
   const double phase = 2 * std::numbers::pi * (walk.start + walk.speed * time) / stride;
   for (const double side : {-1.0, 1.0}) {

@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 YardGround::YardGround(std::uint64_t seed, double depth) : m_y(std::size_t{columns} * rows) {
   Dice dice(seed, 11);
-  const Eigen::Vector3f place(static_cast<float>(dice.between(0, 50)), 0.5F,
-                              static_cast<float>(dice.between(0, 50)));
+  const Eigen::Vector3f place(static_cast<float>(dice.uniform(0, 50)), 0.5F,
+                              static_cast<float>(dice.uniform(0, 50)));
   m_highest = depth;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {

@@ -22,8 +22,8 @@ class Gaussian {
   double next() {
     m_hasSecond = !m_hasSecond;
     if (!m_hasSecond) return m_second;
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - m_dice.between(0.0, 1.0)));
-    const double angle = 2.0 * std::numbers::pi * m_dice.between(0.0, 1.0);
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - m_dice.uniform(0.0, 1.0)));
+    const double angle = 2.0 * std::numbers::pi * m_dice.uniform(0.0, 1.0);
     m_second = radius * std::sin(angle);
     return radius * std::cos(angle);
   }
@@ -53,7 +53,7 @@ YardSensor::YardSensor(const YardOptions& options) : m_options(options) {
 /// Clouds pass: a slow swing with a faster one on it.
 double YardSensor::gainAt(std::size_t frame) const {
   const double time = static_cast<double>(frame) / 20.0;
-  const double phase = Dice(m_options.seed, 32).between(0.0, 6.28);
+  const double phase = Dice(m_options.seed, 32).uniform(0.0, 6.28);
   const double swing = 0.75 * std::sin(2.0 * std::numbers::pi * time / 9.0 + phase) +
                        0.25 * std::sin(2.0 * std::numbers::pi * time / 2.3 + 2.0 * phase);
   return std::exp2(m_options.exposure * swing);
@@ -74,8 +74,8 @@ void YardSensor::addRain(cv::Mat& colour, const YardEye& eye, std::size_t frame)
   };
   for (int k = 0; k < drops; ++k) {
     // As many drops in every piece of the pyramid that is seen.
-    const double z = 0.8 + 8.0 * std::cbrt(dice.between(0.0, 1.0));
-    const Vector3d drop(dice.between(-0.72, 0.72) * z, dice.between(-0.60, 0.55) * z, z);
+    const double z = 0.8 + 8.0 * std::cbrt(dice.uniform(0.0, 1.0));
+    const Vector3d drop(dice.uniform(-0.72, 0.72) * z, dice.uniform(-0.60, 0.55) * z, z);
     const int thickness = z < 1.5 ? 2 : 1;
     cv::line(streaks, pixel(drop), pixel(drop + fall), cv::Scalar(40.0 + 130.0 / z), thickness,
              cv::LINE_AA, fraction);

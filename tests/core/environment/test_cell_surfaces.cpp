@@ -76,7 +76,7 @@ class TestCellSurfaces : public QObject {
     QFETCH(ModelProjection, projection);
     const GridGeometry geometry(Bounds{}, side, projection);
     const Points plane = slantedPlane(slope);
-    const Points cells = CellSurfaces().of(plane, geometry);
+    const Points cells = CellSurfaces().extract(plane, geometry);
     const Points nearest = nearestOf(plane, geometry);
     QCOMPARE(cells.size(), nearest.size());
     QVERIFY(std::abs(meanBefore(cells, slope, geometry)) < 0.002);
@@ -89,7 +89,7 @@ class TestCellSurfaces : public QObject {
     for (float behind = 0.0F; behind < 0.5F; behind += 0.005F) {
       Points points{at(3.0F)};
       for (int k = 0; k < 100; ++k) points.push_back(at(3.0F + behind));
-      const Points cells = CellSurfaces().of(points, grid);
+      const Points cells = CellSurfaces().extract(points, grid);
       QCOMPARE(cells.size(), std::size_t{1});
       QVERIFY(cells[0].z() >= 3.0F && cells[0].z() <= 3.0F + float(side) * 1.001F);
       if (behind > 2.001F * float(side)) QCOMPARE(cells[0].z(), 3.0F);  // another surface
@@ -102,13 +102,13 @@ class TestCellSurfaces : public QObject {
     const float mean = 3.03F;
     const auto isNearer = [](const Vector3f& a, const Vector3f& b) { return a.z() < b.z(); };
     do {
-      const Points cells = surfaces.of(points, grid);
+      const Points cells = surfaces.extract(points, grid);
       QCOMPARE(cells.size(), std::size_t{1});
       QVERIFY(std::abs(cells[0].z() - mean) < 1e-5F);
     } while (std::next_permutation(points.begin(), points.end(), isNearer));
-    QCOMPARE(surfaces.of(Points{at(7.0F)}, grid)[0].z(), 7.0F);
-    QVERIFY(surfaces.of({}, grid).empty());
-    QVERIFY(surfaces.of(Points{at(1.0F)}, GridGeometry(Bounds{}, 100.0)).empty());
+    QCOMPARE(surfaces.extract(Points{at(7.0F)}, grid)[0].z(), 7.0F);
+    QVERIFY(surfaces.extract({}, grid).empty());
+    QVERIFY(surfaces.extract(Points{at(1.0F)}, GridGeometry(Bounds{}, 100.0)).empty());
   }
 
   void aPointStaysInItsCellAndInTheBounds() {
@@ -121,7 +121,7 @@ class TestCellSurfaces : public QObject {
           points.insert(points.end(), {{x, 0.3F, z}, {x, 0.3F, std::min(5.0F, z + 0.03F)}});
         }
       }
-      const Points cells = CellSurfaces().of(points, geometry);
+      const Points cells = CellSurfaces().extract(points, geometry);
       const Points nearest = nearestOf(points, geometry);
       QCOMPARE(cells.size(), nearest.size());
       // In each cell one, where there was one: none has left its own.
