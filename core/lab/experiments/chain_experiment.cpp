@@ -1,4 +1,4 @@
-#include "lab/experiments/chain_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include "lab/experiments/yard_plan.h"
 

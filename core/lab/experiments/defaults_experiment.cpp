@@ -1,4 +1,4 @@
-#include "lab/experiments/defaults_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <algorithm>
 

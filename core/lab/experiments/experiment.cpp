@@ -1,17 +1,6 @@
 #include "lab/experiments/experiment.h"
 
-#include "lab/experiments/chain_experiment.h"
-#include "lab/experiments/defaults_experiment.h"
-#include "lab/experiments/entry_experiment.h"
-#include "lab/experiments/gap_experiment.h"
-#include "lab/experiments/hour_experiment.h"
-#include "lab/experiments/passing_experiment.h"
-#include "lab/experiments/projection_experiment.h"
-#include "lab/experiments/search_experiment.h"
-#include "lab/experiments/simulator_experiment.h"
-#include "lab/experiments/tracking_experiment.h"
-#include "lab/experiments/update_rules_experiment.h"
-#include "lab/experiments/update_time_experiment.h"
+#include "lab/experiments/experiments.h"
 
 namespace boomwatch {
 

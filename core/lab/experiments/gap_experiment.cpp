@@ -1,4 +1,4 @@
-#include "lab/experiments/gap_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,4 +1,4 @@
-#include "lab/experiments/passing_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lab/experiments/projection_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <algorithm>
 

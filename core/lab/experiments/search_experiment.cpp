@@ -1,4 +1,4 @@
-#include "lab/experiments/search_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <array>
 #include <cmath>

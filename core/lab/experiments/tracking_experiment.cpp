@@ -1,4 +1,4 @@
-#include "lab/experiments/tracking_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "lab/experiments/update_rules_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "lab/experiments/update_time_experiment.h"
+#include "lab/experiments/experiments.h"
 
 #include <cmath>
 

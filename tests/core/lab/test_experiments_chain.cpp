@@ -1,10 +1,8 @@
 #include <QtTest>
 #include <cstring>
 
-#include "lab/experiments/chain_experiment.h"
 #include "lab/experiments/chain_stage.h"
-#include "lab/experiments/defaults_experiment.h"
-#include "lab/experiments/hour_experiment.h"
+#include "lab/experiments/experiments.h"
 #include "lab/experiments/yard_plan.h"
 #include "simulation/yard/depth_cloud.h"
 #include "simulation/yard/yard_sensor.h"

@@ -1,13 +1,7 @@
 #include <QtTest>
 #include <map>
 
-#include "lab/experiments/entry_experiment.h"
-#include "lab/experiments/gap_experiment.h"
-#include "lab/experiments/passing_experiment.h"
-#include "lab/experiments/projection_experiment.h"
-#include "lab/experiments/search_experiment.h"
-#include "lab/experiments/simulator_experiment.h"
-#include "lab/experiments/update_rules_experiment.h"
+#include "lab/experiments/experiments.h"
 #include "support/experiment_tables.h"
 #include "support/test_registry.h"
 
