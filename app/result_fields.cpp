@@ -258,8 +258,7 @@ std::vector<ResultField<Result>> environmentFields() {
        }},
       {"truth_m", orNull(type("number")), "m", "The true distance, of simulated frames",
        [](const Result& result) {
-         const bool known = result.frame && result.frame->truth;
-         return known ? QJsonValue(result.frame->truth->distance) : QJsonValue();
+         return result.frame ? orNull(result.frame->trueDistance) : QJsonValue();
        }},
   };
 }

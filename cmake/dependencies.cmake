@@ -7,6 +7,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2
   tracking video videoio)
 find_package(Threads REQUIRED)
 find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
 if(BOOMWATCH_GUI)
   find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2)
 endif()

@@ -17,7 +17,7 @@ void DistanceHistory::add(const Result& result, double sinceFrame) {
   const std::optional<double> before = lastFrame();
   if (result.frame) {
     moment.stamp = result.frame->stamp;
-    if (result.frame->truth) moment.truth = result.frame->truth->distance;
+    moment.truth = result.frame->trueDistance;
     if (before && (moment.stamp < *before || moment.stamp > *before + jump)) m_moments.clear();
   } else {
     if (!before) return;  // nothing was there before: nothing to show

@@ -10,14 +10,7 @@
 
 namespace boomwatch {
 
-struct StereoRig;  // stereo/stereo_rig.h
-struct YardTruth;  // simulation/yard/yard_truth.h
-
-/// What is known about a simulated frame because it was made: the yardstick of tests.
-struct Truth {
-  double distance = 0.0;  ///< metres, load to the nearest static surface; 0 when they touch
-  std::shared_ptr<const YardTruth> yard;  ///< all the rest; demo:yard only
-};
+struct StereoRig;  // frame/stereo_rig.h
 
 /// One moment, as a source delivers it. Immutable once it is delivered; shared between threads.
 ///
@@ -33,7 +26,8 @@ struct Frame {
   std::optional<OrientedBox> load;       ///< where the source itself knows the load (demo scenes)
   /// Where the source itself knows the tool: a box to begin to follow it with, pixels of `left`.
   std::optional<cv::Rect2d> tool;
-  std::optional<Truth> truth;
+  /// Of simulated frames: metres, load to the nearest static surface; 0 when they touch.
+  std::optional<double> trueDistance;
   bool still = false;  ///< repeated on purpose: that it equals the last one is no fault
 };
 

@@ -1,8 +1,8 @@
 #include "simulation/demo_export.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <functional>
+#include <opencv2/core/persistence.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
@@ -13,7 +13,7 @@
 #include "simulation/demo_camera.h"
 #include "simulation/demo_source.h"
 #include "simulation/truth_json.h"
-#include "simulation/yard/yard_truth.h"
+#include "simulation/yard/yard_source.h"
 
 namespace boomwatch {
 namespace {
@@ -32,31 +32,30 @@ std::string nameOf(std::size_t index) {
   return std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits + ".png";
 }
 
-std::string matrix(const char* key, int rows, int columns, const double* values) {
-  std::string text = std::string(key) + ": !!opencv-matrix\n   rows: " + std::to_string(rows) +
-                     "\n   cols: " + std::to_string(columns) + "\n   dt: d\n   data: [";
-  for (int k = 0; k < rows * columns; ++k) {
-    if (k > 0) text += ", ";
-    std::array<char, 32> number{};
-    std::snprintf(number.data(), number.size(), "%.17g", values[k]);
-    text += number.data();
-  }
-  return text + "]\n";
+/// A file in OpenCV's own format, written by `fill`.
+std::string yamlOf(const std::function<void(cv::FileStorage&)>& fill) {
+  cv::FileStorage storage(
+      "", cv::FileStorage::WRITE | cv::FileStorage::MEMORY | cv::FileStorage::FORMAT_YAML);
+  fill(storage);
+  return storage.releaseAndGetString();
 }
 
 std::string calibrationOf(const StereoRig& rig) {
-  constexpr std::array<double, 5> none{};
-  return "%YAML:1.0\n---\nimage_width: " + std::to_string(rig.imageSize.width) +
-         "\nimage_height: " + std::to_string(rig.imageSize.height) + "\n" +
-         matrix("M1", 3, 3, rig.leftMatrix.val) + matrix("D1", 1, 5, none.data()) +
-         matrix("M2", 3, 3, rig.rightMatrix.val) + matrix("D2", 1, 5, none.data()) +
-         matrix("R", 3, 3, rig.rotation.val) + matrix("T", 3, 1, rig.translation.val);
+  const cv::Mat undistorted = cv::Mat::zeros(1, 5, CV_64F);
+  return yamlOf([&](cv::FileStorage& file) {
+    file << "image_width" << rig.imageSize.width << "image_height" << rig.imageSize.height;
+    file << "M1" << cv::Mat(rig.leftMatrix) << "D1" << undistorted;
+    file << "M2" << cv::Mat(rig.rightMatrix) << "D2" << undistorted;
+    file << "R" << cv::Mat(rig.rotation) << "T" << cv::Mat(rig.translation);
+  });
 }
 
 /// Of every demo that gives clouds.
 std::string intrinsicsOf(const PinholeCamera& camera) {
-  const std::array<double, 9> k{camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
-  return "%YAML:1.0\n---\n" + matrix("camera_matrix", 3, 3, k.data()) + "depth_factor: 1000.\n";
+  const cv::Matx33d matrix(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  return yamlOf([&](cv::FileStorage& file) {
+    file << "camera_matrix" << cv::Mat(matrix) << "depth_factor" << 1000.0;
+  });
 }
 
 /// CV_16UC1, 0 where `image` (CV_32FC1) is no number.
@@ -75,20 +74,43 @@ cv::Mat depthOf(const Cloud& cloud) {
   return depth;
 }
 
-std::unique_ptr<FrameSource> openDemo(const DemoExport& what) {
-  std::string demo = what.demo;
-  const bool yard = demo.substr(0, demo.find(',')) == "yard";
-  if (yard && what.frames && demo.find(",frames=") == std::string::npos) {
-    demo += ",frames=" + std::to_string(*what.frames);
+/// The frames of a demo, with the truth where it is a yard.
+class Demo {
+ public:
+  explicit Demo(const DemoExport& what) {
+    std::string name = what.demo;
+    const auto comma = std::min(name.find(','), name.size());
+    const bool isYard = name.substr(0, comma) == "yard";
+    if (isYard && what.frames && name.find(",frames=") == std::string::npos) {
+      name += ",frames=" + std::to_string(*what.frames);
+    }
+    const std::string address = "demo:" + name;
+    if (isYard) {
+      m_yard = std::make_unique<YardSource>(name.substr(std::min(name.size(), comma + 1)), address);
+    } else {
+      m_other = openDemoSource(name, address);
+    }
   }
-  return openDemoSource(demo, "demo:" + demo);
-}
+
+  SourceInfo info() const { return m_yard ? m_yard->info() : m_other->info(); }
+  /// In their order.
+  YardFrame frame(std::size_t index) const {
+    if (m_yard) return m_yard->at(index);
+    const ReadResult read = m_other->next({});
+    if (!read.frame) throw std::runtime_error(info().address + ": " + read.message);
+    return {read.frame, nullptr};
+  }
+
+ private:
+  std::unique_ptr<YardSource> m_yard;  ///< one of the two
+  std::unique_ptr<FrameSource> m_other;
+};
 
 class Writer {
  public:
   Writer(const PartialFolder& folder, const DemoExport& what) : m_folder(folder), m_what(what) {}
 
-  void write(const Frame& frame) {
+  void write(const Frame& frame, const YardTruth* yard) {
     const std::string name = nameOf(frame.sequence);
     if (frame.rig) {
       writeImage(m_folder.sub("left") / name, frame.left);
@@ -98,12 +120,12 @@ class Writer {
       writeImage(m_folder.sub("colour") / name, frame.left);
       writeImage(m_folder.sub("depth") / name, sixteenBits(depthOf(*frame.cloud), 1000.0));
     }
-    if (const auto& yard = frame.truth->yard; yard && m_what.truthImages) {
+    if (yard && m_what.truthImages) {
       writeImage(m_folder.sub("truth/depth") / name, sixteenBits(yard->depth, 1000.0));
       writeImage(m_folder.sub("truth/disparity") / name, sixteenBits(yard->disparity(), 256.0));
       writeImage(m_folder.sub("truth/kind") / name, yard->kind);
     }
-    m_truth += truthJson(frame) + "\n";
+    m_truth += truthJson(frame, yard) + "\n";
     m_stamps += std::to_string(frame.stamp) + "\n";
   }
 
@@ -128,21 +150,21 @@ class Writer {
 
 bool exportDemo(const DemoExport& what, const ExportProgress& progress) {
   const fs::path target = emptyFolder(what.folder);
-  const auto source = openDemo(what);
-  const std::size_t most = source->info().frameCount.value_or(0);
+  const Demo demo(what);
+  const SourceInfo info = demo.info();
+  const std::size_t most = info.frameCount.value_or(0);
   const std::size_t frames = what.frames.value_or(most);
   if (frames < 1 || frames > most) {
     throw Error("--frames",
-                std::to_string(frames) + " frames are asked for, but " + source->info().address +
-                    " has " + std::to_string(most),
+                std::to_string(frames) + " frames are asked for, but " + info.address + " has " +
+                    std::to_string(most),
                 "Give 1 to " + std::to_string(most) + ".");
   }
   PartialFolder folder(target);
   Writer writer(folder, what);
   for (std::size_t k = 0; k < frames; ++k) {
-    const ReadResult read = source->next({});
-    if (!read.frame) throw std::runtime_error(source->info().address + ": " + read.message);
-    writer.write(*read.frame);
+    const YardFrame next = demo.frame(k);
+    writer.write(*next.frame, next.truth.get());
     if (!progress(k + 1, frames)) return false;
   }
   writer.close();

@@ -81,7 +81,7 @@ class DemoSource : public IndexedSource {
     frame->left = pictureWithLoad(m_view, load, index);
     frame->cloud = m_view.cloud;
     frame->load = load;
-    frame->truth = Truth{distance(load, m_demo.scene), nullptr};
+    frame->trueDistance = distance(load, m_demo.scene);
     return ok(std::move(frame));
   }
 
@@ -95,7 +95,7 @@ class DemoSource : public IndexedSource {
 std::unique_ptr<FrameSource> openDemoSource(const std::string& name, const std::string& address) {
   const auto comma = std::min(name.find(','), name.size());
   if (name.substr(0, comma) == "yard") {
-    return openYardSource(name.substr(std::min(name.size(), comma + 1)), address);
+    return std::make_unique<YardSource>(name.substr(std::min(name.size(), comma + 1)), address);
   }
   return std::make_unique<DemoSource>(name, address);
 }

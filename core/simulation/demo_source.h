@@ -15,7 +15,7 @@ namespace boomwatch {
 /// all frames; the load appears in the picture only. Truth is the distance to the whole geometry,
 /// seen or not (see distance in scene.h), within a micrometre.
 ///
-/// `demo:yard` with its options: see openYardSource.
+/// `demo:yard` with its options: see YardSource.
 ///
 /// Throws Error when there is no demo of that name.
 std::unique_ptr<FrameSource> openDemoSource(const std::string& name, const std::string& address);

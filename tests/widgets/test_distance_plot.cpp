@@ -13,7 +13,7 @@ DisplayPtr at(double stamp, std::optional<double> distance, std::optional<double
   auto result = std::make_shared<Result>();
   auto frame = std::make_shared<Frame>();
   frame->stamp = stamp;
-  if (truth) frame->truth = Truth{*truth, nullptr};
+  frame->trueDistance = truth;
   result->frame = frame;
   if (reason != Reason::None) {
     result->clearance = Clearance::unknown(reason);

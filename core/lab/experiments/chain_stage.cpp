@@ -8,7 +8,6 @@
 #include "simulation/demo_camera.h"
 #include "simulation/yard/depth_cloud.h"
 #include "simulation/yard/yard_sensor.h"
-#include "simulation/yard/yard_truth.h"
 #include "tracking/make_tracker.h"
 
 namespace boomwatch {
@@ -48,8 +47,8 @@ class SeenArea {
 };
 
 /// The nearest of the static surfaces that the camera sees.
-void lookAround(const Frame& frame, ChainFrame& truth) {
-  const YardTruth& yard = *frame.truth->yard;
+void lookAround(const YardFrame& shown, ChainFrame& truth) {
+  const YardTruth& yard = *shown.truth;
   SeenArea area;
   double nearest = std::numeric_limits<double>::infinity();
   const double loadRadius = 0.5 * yard.load.size.norm();
@@ -74,9 +73,9 @@ void lookAround(const Frame& frame, ChainFrame& truth) {
 }
 
 /// What stands where the chain has its nearest point.
-YardKind kindAt(const Frame& frame, const Vector3d& p) {
+YardKind kindAt(const YardFrame& shown, const Vector3d& p) {
   constexpr double close = 0.2;  // metres
-  const YardTruth& yard = *frame.truth->yard;
+  const YardTruth& yard = *shown.truth;
   if (p.z() < 0.1) return YardKind::Nothing;
   const Eigen::Vector2d pixel = demoCamera.project(p);
   const int u0 = static_cast<int>(std::lround(pixel.x()));
@@ -131,18 +130,19 @@ std::string_view nameOf(ChainKind kind) {
   return "";
 }
 
-ChainFrame truthOf(const Frame& frame, const Frame* before) {
-  const YardTruth& yard = *frame.truth->yard;
+ChainFrame truthOf(const YardFrame& shown, const YardFrame& before) {
+  const Frame& frame = *shown.frame;
+  const YardTruth& yard = *shown.truth;
   ChainFrame truth;
   truth.stamp = frame.stamp;
-  truth.truth = frame.truth->distance;
+  truth.truth = *frame.trueDistance;
   truth.truthKind = yard.nearest.kind;
   truth.moving = lesser(yard.person, yard.branch);
-  if (before && frame.stamp > before->stamp) {
-    truth.speed = (yard.load.centre - before->truth->yard->load.centre).norm() /
-                  (frame.stamp - before->stamp);
+  if (before.frame && frame.stamp > before.frame->stamp) {
+    truth.speed =
+        (yard.load.centre - before.truth->load.centre).norm() / (frame.stamp - before.frame->stamp);
   }
-  lookAround(frame, truth);
+  lookAround(shown, truth);
   return truth;
 }
 
@@ -152,14 +152,14 @@ ChainStage::ChainStage(ChainKind kind, const Parameters& parameters, std::uint64
       m_seed(seed),
       m_pipeline(kind == ChainKind::Everything ? TrackerMaker(makeTracker) : m_tool.maker()) {}
 
-FramePtr ChainStage::sensed(const FramePtr& frame) const {
-  if (m_kind == ChainKind::Stereo || m_kind == ChainKind::Everything) return frame;
-  auto made = std::make_shared<Frame>(*frame);
-  const YardTruth& yard = *frame->truth->yard;
+FramePtr ChainStage::sensed(const YardFrame& shown) const {
+  if (m_kind == ChainKind::Stereo || m_kind == ChainKind::Everything) return shown.frame;
+  auto made = std::make_shared<Frame>(*shown.frame);
+  const YardTruth& yard = *shown.truth;
   cv::Mat depth = yard.depth.clone();
   if (m_kind == ChainKind::NoisyDepth || m_kind == ChainKind::MaskedDepth) {
     addDepthNoise(depth, depthNoise, yard.depthTimesDisparity,
-                  depthNoiseStream(m_seed, frame->sequence));
+                  depthNoiseStream(m_seed, made->sequence));
     roundToMillimetres(depth);
   }
   made->cloud = cloudOf(depth, demoCamera);
@@ -169,28 +169,28 @@ FramePtr ChainStage::sensed(const FramePtr& frame) const {
 }
 
 /// Everything is left to the chain itself: it begins with the box that the source offers.
-void ChainStage::showTool(const Frame& frame) {
+void ChainStage::showTool(const YardFrame& shown) {
   if (m_kind == ChainKind::Everything) return;
-  m_tool.set(toolBoxIn(frame, seenShare));
+  m_tool.set(toolBoxIn(shown, seenShare));
   if (!m_begun) m_pipeline.order(TrueTool::order());
   m_begun = true;
 }
 
-MaskedChain::Outcome ChainStage::look(const FramePtr& frame) {
-  if (isMasked()) return m_masked.process(*sensed(frame), m_parameters);
-  showTool(*frame);
-  const Result result = m_pipeline.process(sensed(frame), m_parameters);
+MaskedChain::Outcome ChainStage::look(const YardFrame& shown) {
+  if (isMasked()) return m_masked.process(*sensed(shown), *shown.truth, m_parameters);
+  showTool(shown);
+  const Result result = m_pipeline.process(sensed(shown), m_parameters);
   return {result.clearance, result.level};
 }
 
-void ChainStage::process(const FramePtr& frame, const ChainFrame& truth) {
-  const MaskedChain::Outcome outcome = look(frame);
+void ChainStage::process(const YardFrame& shown, const ChainFrame& truth) {
+  const MaskedChain::Outcome outcome = look(shown);
   ChainFrame seen = truth;
   seen.level = outcome.level;
   seen.reason = outcome.clearance.reason;
   if (const auto& nearest = outcome.clearance.nearest) {
     seen.reported = nearest->distance;
-    seen.blamed = kindAt(*frame, nearest->onEnvironment);
+    seen.blamed = kindAt(shown, nearest->onEnvironment);
   }
   m_frames.push_back(seen);
 }

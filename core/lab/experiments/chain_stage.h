@@ -25,8 +25,9 @@ inline constexpr std::array chainKinds{ChainKind::MaskedCloud, ChainKind::Masked
                                        ChainKind::Stereo,      ChainKind::Everything};
 std::string_view nameOf(ChainKind kind);
 
-/// The truth of a frame of demo:yard; the chain's part is as yet empty. `before` gives the speed.
-ChainFrame truthOf(const Frame& frame, const Frame* before);
+/// The truth of a frame of demo:yard; the chain's part is as yet empty. `before`, which may be
+/// empty, gives the speed.
+ChainFrame truthOf(const YardFrame& shown, const YardFrame& before);
 
 /// One stage of the chain over one sequence of demo:yard,as=stereo.
 class ChainStage {
@@ -36,16 +37,16 @@ class ChainStage {
 
   ChainKind kind() const { return m_kind; }
   /// Frames in their order. `truth` is of the same frame.
-  void process(const FramePtr& frame, const ChainFrame& truth);
+  void process(const YardFrame& shown, const ChainFrame& truth);
   const std::vector<ChainFrame>& frames() const { return m_frames; }
 
  private:
   bool isMasked() const {
     return m_kind == ChainKind::MaskedCloud || m_kind == ChainKind::MaskedDepth;
   }
-  FramePtr sensed(const FramePtr& frame) const;
-  MaskedChain::Outcome look(const FramePtr& frame);
-  void showTool(const Frame& frame);
+  FramePtr sensed(const YardFrame& shown) const;
+  MaskedChain::Outcome look(const YardFrame& shown);
+  void showTool(const YardFrame& shown);
 
   ChainKind m_kind;
   Parameters m_parameters;

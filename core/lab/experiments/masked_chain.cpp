@@ -10,8 +10,8 @@ bool isCrane(YardKind kind) {
   return kind == YardKind::Crane || kind == YardKind::Tool || kind == YardKind::Load;
 }
 
-StaticScene withoutCrane(const Frame& frame, const Parameters& parameters) {
-  const cv::Mat& kinds = frame.truth->yard->kind;
+StaticScene withoutCrane(const Frame& frame, const YardTruth& truth, const Parameters& parameters) {
+  const cv::Mat& kinds = truth.kind;
   Cloud rest = *withoutDepthNoise(frame.cloud, parameters.filter.depthSmooth);
   Points crane;
   for (int v = 0; v < kinds.rows; ++v) {
@@ -30,8 +30,9 @@ StaticScene withoutCrane(const Frame& frame, const Parameters& parameters) {
 
 }  // namespace
 
-MaskedChain::Outcome MaskedChain::process(const Frame& frame, const Parameters& parameters) {
-  m_environment.update(*frame.cloud, withoutCrane(frame, parameters), parameters);
+MaskedChain::Outcome MaskedChain::process(const Frame& frame, const YardTruth& truth,
+                                          const Parameters& parameters) {
+  m_environment.update(*frame.cloud, withoutCrane(frame, truth, parameters), parameters);
   Outcome outcome;
   outcome.clearance = m_environment.clearanceOf(*frame.load, parameters);
   outcome.level = m_warning

@@ -6,6 +6,8 @@
 
 namespace boomwatch {
 
+struct YardTruth;  // simulation/yard/yard_truth.h
+
 /// The pipeline's owners behind a perfect mask: demo:yard names the pixels of crane, tool and load.
 /// So its errors come neither from the masks nor from the load's detection. Used by one thread.
 class MaskedChain {
@@ -15,8 +17,9 @@ class MaskedChain {
     WarningLevel level = WarningLevel::NoDistance;
   };
 
-  /// A frame of demo:yard with its load and a cloud that is organised as its picture.
-  Outcome process(const Frame& frame, const Parameters& parameters);
+  /// A frame of demo:yard with its load and a cloud that is organised as its picture; `truth` is
+  /// the frame's.
+  Outcome process(const Frame& frame, const YardTruth& truth, const Parameters& parameters);
 
  private:
   WatchedEnvironment m_environment;

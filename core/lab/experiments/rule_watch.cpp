@@ -26,13 +26,12 @@ bool isAbout(int a, int b) { return std::abs(a - b) <= CellTruth::tolerance; }
 
 }  // namespace
 
-CellTruth::CellTruth(const GridGeometry& geometry, const Frame& frame)
+CellTruth::CellTruth(const GridGeometry& geometry, const YardTruth& yard)
     : m_geometry(geometry),
       m_standing(geometry.cellCount()),
       m_moving(geometry.cellCount()),
       m_near(geometry.cellCount()),
       m_far(geometry.cellCount()) {
-  const YardTruth& yard = *frame.truth->yard;
   for (int v = 0; v < yard.depth.rows; ++v) {
     for (int u = 0; u < yard.depth.cols; ++u) {
       const auto kind = YardKind{yard.kind.at<std::uint8_t>(v, u)};

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "environment/environment_model.h"
-#include "frame/frame.h"
 
 namespace boomwatch {
+
+struct YardTruth;  // simulation/yard/yard_truth.h
 
 /// What a frame of demo:yard truly shows in the cells of a model. A depth level of 0: nothing.
 class CellTruth {
  public:
-  CellTruth(const GridGeometry& geometry, const Frame& frame);
+  CellTruth(const GridGeometry& geometry, const YardTruth& yard);
 
   /// The nearest surface of what has its place, and of persons, branches, birds and leaves.
   int standing(std::size_t cell) const { return m_standing[cell]; }

@@ -52,9 +52,8 @@ std::vector<Place> pathOf(const std::string& demo, std::size_t stride, const Par
     const Result result = pipeline.process(nextOnPath(*frame, number++), parameters);
     const Clearance rays = rayClearance(pipeline.model(), *frame->load,
                                         parameters.clearance.interval, parameters.clearance.radius);
-    path.push_back({frame->stamp, frame->truth->distance,
-                    distanceToSeen(*frame->load, *frame->cloud), distanceOf(result.clearance),
-                    distanceOf(rays)});
+    path.push_back({frame->stamp, *frame->trueDistance, distanceToSeen(*frame->load, *frame->cloud),
+                    distanceOf(result.clearance), distanceOf(rays)});
     if (!progress(static_cast<double>(index) / static_cast<double>(all))) return {};
   }
   return path;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "simulation/yard/yard_truth.h"
-
 namespace boomwatch {
 namespace {
 
@@ -29,8 +27,9 @@ TrackerMaker TrueTool::maker() const {
   return [box = m_box](TrackerKind) { return std::make_unique<TrueTracker>(box); };
 }
 
-std::optional<cv::Rect2d> toolBoxIn(const Frame& frame, double share) {
-  if (!frame.tool || frame.truth->yard->toolVisible < share) return std::nullopt;
+std::optional<cv::Rect2d> toolBoxIn(const YardFrame& shown, double share) {
+  const Frame& frame = *shown.frame;
+  if (!frame.tool || shown.truth->toolVisible < share) return std::nullopt;
   const cv::Rect2d inside = *frame.tool & cv::Rect2d({}, cv::Size2d(frame.left.size()));
   const bool large = std::min(inside.width, inside.height) >= Tracker::minSide;
   return large ? std::optional(inside) : std::nullopt;

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "frame/frame.h"
+#include "simulation/yard/yard_source.h"
 #include "tracking/tool_tracking.h"
 
 namespace boomwatch {
@@ -27,6 +27,6 @@ class TrueTool {
 
 /// The part of the tool's box (Frame::tool) inside the picture, of a frame of demo:yard, where at
 /// least `share` of the tool is seen and the box is large enough to be followed.
-std::optional<cv::Rect2d> toolBoxIn(const Frame& frame, double share);
+std::optional<cv::Rect2d> toolBoxIn(const YardFrame& shown, double share);
 
 }  // namespace boomwatch

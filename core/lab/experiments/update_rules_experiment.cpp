@@ -7,7 +7,6 @@
 #include "lab/experiments/true_tool.h"
 #include "lab/experiments/update_rule.h"
 #include "pipeline/pipeline.h"
-#include "simulation/demo_source.h"
 
 namespace boomwatch {
 namespace {
@@ -29,9 +28,9 @@ std::vector<bool> cellsOf(const GridGeometry& geometry, const Points& points) {
 /// One yard, filtered once, learnt by all three; false when the progress said no.
 bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentProgress& progress,
              AllFigures& figures) {
-  const std::string demo = "yard,as=depth,path=random,seed=" + std::to_string(seed) +
-                           ",frames=" + std::to_string(setup.framesOfAYard());
-  const auto source = openDemoSource(demo, "demo:" + demo);
+  const std::string options = "as=depth,path=random,seed=" + std::to_string(seed) +
+                              ",frames=" + std::to_string(setup.framesOfAYard());
+  const YardSource source(options);
   Parameters parameters = setup.parameters;
   parameters.load.source = LoadSource::Scene;
   const GridGeometry geometry(parameters.bounds, parameters.model.resolution,
@@ -42,10 +41,10 @@ bool runYard(std::uint64_t seed, const ExperimentSetup& setup, const ExperimentP
   Pipeline pipeline(tool.maker());
   pipeline.order(TrueTool::order());
   for (std::size_t frameIndex = 0; frameIndex < setup.framesOfAYard(); ++frameIndex) {
-    const FramePtr frame = source->next({}).frame;
-    tool.set(toolBoxIn(*frame, 0.25));
-    const Result result = pipeline.process(frame, parameters);
-    const CellTruth truth(geometry, *frame);
+    const YardFrame shown = source.at(frameIndex);
+    tool.set(toolBoxIn(shown, 0.25));
+    const Result result = pipeline.process(shown.frame, parameters);
+    const CellTruth truth(geometry, *shown.truth);
     Points evidence = result.scene.statics, masked = result.scene.removed;
     evidence.insert(evidence.end(), result.scene.beyond.begin(), result.scene.beyond.end());
     const std::vector<bool> hidden = cellsOf(geometry, masked);

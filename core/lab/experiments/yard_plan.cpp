@@ -4,9 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <future>
-#include <stdexcept>
-
-#include "simulation/demo_source.h"
 
 namespace boomwatch {
 namespace {
@@ -31,21 +28,20 @@ bool needsPictures(const YardPlan& plan) {
 std::vector<ChainRun> runYard(std::uint64_t seed, Work& work) {
   const YardPlan& plan = work.plan;
   // A pair of pictures takes twice as long to paint.
-  const std::string demo = "yard,path=random,seed=" + std::to_string(seed) +
-                           ",frames=" + std::to_string(plan.frames) +
-                           (needsPictures(plan) ? "" : ",as=cloud");
-  const auto source = openDemoSource(demo, "demo:" + demo);
+  const std::string options = "path=random,seed=" + std::to_string(seed) +
+                              ",frames=" + std::to_string(plan.frames) +
+                              (needsPictures(plan) ? "" : ",as=cloud");
+  const YardSource source(options);
   std::vector<std::unique_ptr<ChainStage>> stages;
   for (const auto& stage : plan.stages) {
     stages.push_back(std::make_unique<ChainStage>(stage.kind, stage.parameters, seed));
   }
-  FramePtr before;
+  YardFrame before;
   for (std::size_t k = 0; k < plan.frames && !work.stopped; ++k) {
-    const FramePtr frame = source->next({}).frame;
-    if (!frame) throw std::runtime_error("demo:" + demo + ": there is no frame");
-    const ChainFrame truth = truthOf(*frame, before.get());
-    for (const auto& stage : stages) stage->process(frame, truth);
-    before = frame;
+    const YardFrame shown = source.at(k);
+    const ChainFrame truth = truthOf(shown, before);
+    for (const auto& stage : stages) stage->process(shown, truth);
+    before = shown;
     ++work.framesDone;
   }
   std::vector<ChainRun> runs;

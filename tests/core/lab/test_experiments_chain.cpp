@@ -29,10 +29,10 @@ class TestExperimentsChain : public QObject {
   // What the stages of the chain are given is what the yard's own sources give.
   void theCloudsOfTheStagesAreTheYards() {
     YardFrames yards;
-    const FramePtr pair = yards.at("seed=3,frames=4", 2);
+    const YardFrame pair = yards.withTruth("seed=3,frames=4", 2);
     const FramePtr points = yards.at("seed=3,frames=4,as=cloud", 2);
     const FramePtr depth = yards.at("seed=3,frames=4,as=depth", 2);
-    const YardTruth& truth = *pair->truth->yard;
+    const YardTruth& truth = *pair.truth;
     QVERIFY(samePoints(*cloudOf(truth.depth, demoCamera), *points->cloud));
     cv::Mat noisy = truth.depth.clone();
     addDepthNoise(noisy, 0.2, truth.depthTimesDisparity, depthNoiseStream(3, 2));
@@ -44,8 +44,7 @@ class TestExperimentsChain : public QObject {
   void whatIsSeenIsNeverNearerThanWhatIsThere() {
     YardFrames yards;
     for (const std::size_t index : {0U, 3U}) {
-      const FramePtr frame = yards.at("seed=3,frames=4", index);
-      const ChainFrame truth = truthOf(*frame, nullptr);
+      const ChainFrame truth = truthOf(yards.withTruth("seed=3,frames=4", index), {});
       QVERIFY(truth.seen.has_value());
       // A pixel's depth is a float.
       QVERIFY(*truth.seen >= truth.truth - 1e-4);
@@ -60,11 +59,11 @@ class TestExperimentsChain : public QObject {
     Pipeline pipeline(tool.maker());
     pipeline.order(TrueTool::order());
     YardFrames yards;
-    const FramePtr frame = yards.at("seed=3,frames=4,as=cloud", 0);
-    const auto box = toolBoxIn(*frame, 0.2);
+    const YardFrame shown = yards.withTruth("seed=3,frames=4,as=cloud", 0);
+    const auto box = toolBoxIn(shown, 0.2);
     QVERIFY(box.has_value());
     tool.set(box);
-    const Result seen = pipeline.process(frame, {});
+    const Result seen = pipeline.process(shown.frame, {});
     QVERIFY(seen.tool.box == box);
     tool.set(std::nullopt);
     const Result lost = pipeline.process(yards.at("seed=3,frames=4,as=cloud", 1), {});

@@ -51,8 +51,9 @@ class TestLoadYard : public QObject {
     for (const int seed : {2, 3, 7}) {
       const std::string options = "as=depth,seed=" + std::to_string(seed);
       for (std::size_t index = 0; index < 600; index += 75) {
-        const FramePtr frame = m_frames.at(options, index);
-        const YardTruth& truth = *frame->truth->yard;
+        const YardFrame shown = m_frames.withTruth(options, index);
+        const FramePtr& frame = shown.frame;
+        const YardTruth& truth = *shown.truth;
         if (!showsBothEnds(truth)) continue;
         ++errors.poses;
         const LoadDetection found =
@@ -91,8 +92,9 @@ class TestLoadYard : public QObject {
     int frames = 0, hidden = 0, seen = 0;
     double worst = 0.0;
     for (std::size_t index = first; index < last; index += step, ++frames) {
-      const FramePtr frame = m_frames.at("as=depth,seed=1", index);
-      const YardTruth& truth = *frame->truth->yard;
+      const YardFrame shown = m_frames.withTruth("as=depth,seed=1", index);
+      const FramePtr& frame = shown.frame;
+      const YardTruth& truth = *shown.truth;
       const Eigen::Vector3f tool = truth.toolPoint.cast<float>();
       const LoadDetection found = detectLoad(*frame->cloud, tool, depthNoise, bounds, {},
                                              follower.expected(frame->stamp, maxAge, tool));
@@ -113,8 +115,9 @@ class TestLoadYard : public QObject {
   /// degrees.
   void aLogThatHasTurnedIsTheSame() {
     for (const std::size_t index : {464, 482, 500}) {
-      const FramePtr frame = m_frames.at("as=depth,path=random,seed=4", index);
-      const Cylinder& log = frame->truth->yard->log;
+      const YardFrame shown = m_frames.withTruth("as=depth,path=random,seed=4", index);
+      const FramePtr& frame = shown.frame;
+      const Cylinder& log = shown.truth->log;
       const Vector3d across = log.centre.cross(log.axis).normalized();
       for (const double degrees : {-8.0, -4.0, 0.0, 4.0, 8.0, 12.0}) {
         OrientedBox expected;
@@ -123,9 +126,8 @@ class TestLoadYard : public QObject {
         expected.rotation << log.axis, across, log.axis.cross(across);
         expected.rotation = Eigen::AngleAxisd(degrees * M_PI / 180.0, across).toRotationMatrix() *
                             expected.rotation;
-        const LoadDetection found =
-            detectLoad(*frame->cloud, frame->truth->yard->toolPoint.cast<float>(), depthNoise,
-                       bounds, {}, expected);
+        const LoadDetection found = detectLoad(*frame->cloud, shown.truth->toolPoint.cast<float>(),
+                                               depthNoise, bounds, {}, expected);
         QVERIFY2(found.box, std::to_string(degrees).c_str());
         QVERIFY((found.box->centre - log.centre).norm() < 0.25);
         QVERIFY(std::abs(found.box->rotation.col(0).dot(log.axis)) > std::cos(10.0 * M_PI / 180.0));

@@ -2,8 +2,7 @@
 
 #include "lab/experiments/true_tool.h"
 #include "pipeline/pipeline.h"
-#include "simulation/demo_source.h"
-#include "simulation/yard/yard_truth.h"
+#include "simulation/yard/yard_source.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -20,8 +19,7 @@ class TestUnseenLoad : public QObject {
   void itTeachesNothing() {
     QFETCH(const int, seed);
     constexpr int unseen = 12, seen = 6;
-    const auto source = openDemoSource(
-        "yard,as=depth,path=random,seed=" + std::to_string(seed) + ",frames=100", "demo:yard");
+    const YardSource source("as=depth,path=random,seed=" + std::to_string(seed) + ",frames=100");
     TrueTool tool;
     Pipeline pipeline(tool.maker());
     pipeline.order(TrueTool::order());
@@ -30,8 +28,9 @@ class TestUnseenLoad : public QObject {
     const int learning = *framesToEnter(parameters.model);
     bool withheld = false;
     for (int k = 0; k < unseen + seen; ++k) {
-      const FramePtr frame = source->next({}).frame;
-      tool.set(toolBoxIn(*frame, 0.25));
+      const YardFrame shown = source.at(static_cast<std::size_t>(k));
+      const FramePtr& frame = shown.frame;
+      tool.set(toolBoxIn(shown, 0.25));
       parameters.load.dimensions = k < unseen ? LoadDimensions::Locked : LoadDimensions::Learnt;
       parameters.load.sizeX = 4.5;
       const Result result = pipeline.process(frame, parameters);
@@ -45,7 +44,7 @@ class TestUnseenLoad : public QObject {
         QVERIFY(result.clearance.reason == Reason::NoModel);
       } else {
         QVERIFY(result.clearance.nearest);
-        QVERIFY(std::abs(result.clearance.nearest->distance - frame->truth->distance) < 0.1);
+        QVERIFY(std::abs(result.clearance.nearest->distance - *frame->trueDistance) < 0.1);
       }
     }
     QVERIFY(withheld);
@@ -53,7 +52,7 @@ class TestUnseenLoad : public QObject {
 
   /// Who watches the tool as well wants to be warned of what is near it.
   void whereTheToolIsWatchedEverythingTeaches() {
-    const auto source = openDemoSource("yard,as=depth,path=random,seed=3,frames=100", "demo:yard");
+    const YardSource source("as=depth,path=random,seed=3,frames=100");
     TrueTool tool;
     Pipeline pipeline(tool.maker());
     pipeline.order(TrueTool::order());
@@ -64,8 +63,9 @@ class TestUnseenLoad : public QObject {
     const int before = 6, learning = *framesToEnter(parameters.model);
     for (int k = 0; k < before + learning; ++k) {
       const bool watched = k >= before;
-      const FramePtr frame = source->next({}).frame;
-      tool.set(toolBoxIn(*frame, 0.25));
+      const YardFrame shown = source.at(static_cast<std::size_t>(k));
+      const FramePtr& frame = shown.frame;
+      tool.set(toolBoxIn(shown, 0.25));
       parameters.watch.tool = watched;
       const Result result = pipeline.process(frame, parameters);
       QVERIFY(!result.load);

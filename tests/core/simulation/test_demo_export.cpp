@@ -72,7 +72,8 @@ class TestDemoExport : public QObject {
     const auto lines = truthLines(folder);
     QCOMPARE(lines.size(), 3);
     for (std::size_t k = 0; k < 3; ++k) {
-      const FramePtr wanted = m_frames.at("rain=0.3", k), got = source->next({}).frame;
+      const YardFrame shown = m_frames.withTruth("rain=0.3", k);
+      const FramePtr &wanted = shown.frame, got = source->next({}).frame;
       QVERIFY(got && samePicture(got->left, wanted->left));
       QVERIFY(samePicture(got->right, wanted->right));
       QCOMPARE(got->stamp, wanted->stamp);
@@ -80,10 +81,10 @@ class TestDemoExport : public QObject {
       QVERIFY(cv::norm(got->rig->leftMatrix - wanted->rig->leftMatrix) < 1e-12);
       QVERIFY(cv::norm(got->rig->translation - wanted->rig->translation) < 1e-12);
       QCOMPARE(got->rig->imageSize, wanted->left.size());
-      const YardTruth& truth = *wanted->truth->yard;
+      const YardTruth& truth = *shown.truth;
       const QJsonObject line = lines[int(k)];
       QCOMPARE(line["frame"].toInt(), int(k));
-      QCOMPARE(line["distance_m"].toDouble(), wanted->truth->distance);
+      QCOMPARE(line["distance_m"].toDouble(), *wanted->trueDistance);
       QCOMPARE(vectorIn(line["load"]["centre"]), truth.load.centre);
       QCOMPARE(vectorIn(line["load"]["axes"][1]), Eigen::Vector3d(truth.load.rotation.col(1)));
       QCOMPARE(vectorIn(line["tool"]["point"]), truth.toolPoint);
@@ -97,8 +98,8 @@ class TestDemoExport : public QObject {
     const TemporaryFolder temporary;
     const auto folder = temporary.path("yard");
     QVERIFY(exportDemo({"yard", 1, folder, true}, goOn));
-    const FramePtr frame = m_frames.at("", 0);
-    const YardTruth& truth = *frame->truth->yard;
+    const YardFrame shown = m_frames.withTruth("", 0);
+    const YardTruth& truth = *shown.truth;
     const auto read = [&](const char* name) {
       return cv::imread((folder / "truth" / name / "000000.png").string(), cv::IMREAD_UNCHANGED);
     };
@@ -130,7 +131,7 @@ class TestDemoExport : public QObject {
         QCOMPARE(isMeasured(a), isMeasured(b));
         if (isMeasured(a)) QVERIFY((a - b).norm() < 0.001F);
       }
-      QCOMPARE(truthLines(folder)[k]["distance_m"].toDouble(), wanted->truth->distance);
+      QCOMPARE(truthLines(folder)[k]["distance_m"].toDouble(), *wanted->trueDistance);
     }
   }
 

@@ -292,7 +292,7 @@ class TestDemoSource : public QObject {
       QVERIFY(frame.cloud->organised());
       QCOMPARE(frame.cloud->size(), frame.left.total());
       QVERIFY(frame.right.empty());
-      QCOMPARE(frame.truth.value().distance, distance(frame.load.value(), scene));
+      QCOMPARE(frame.trueDistance.value(), distance(frame.load.value(), scene));
     }
   }
 
@@ -307,7 +307,7 @@ class TestDemoSource : public QObject {
       QVERIFY(source->seek(k));
       const FramePtr frame = source->next(patience).frame;
       centres.push_back(frame->load.value().centre);
-      touching += frame->truth->distance == 0.0;
+      touching += frame->trueDistance == 0.0;
     }
     QVERIFY(touching > 1 && touching < 60);
     for (std::size_t k = 0; k < centres.size(); ++k) {

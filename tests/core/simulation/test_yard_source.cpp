@@ -51,7 +51,7 @@ class TestYardSource : public QObject {
 
  private slots:
   void aStereoFrameCarriesEverything() {
-    const auto source = openDemoSource("yard,frames=40", "demo:yard,frames=40");
+    const auto source = std::make_unique<YardSource>("frames=40", "demo:yard,frames=40");
     QCOMPARE(source->info().frameCount, std::optional<std::size_t>(40));
     QCOMPARE(source->info().nominalRate, 20.0);
     QVERIFY(!source->info().live);
@@ -63,22 +63,25 @@ class TestYardSource : public QObject {
     QCOMPARE(frame->left.type(), CV_8UC3);
     QCOMPARE(frame->right.size(), frame->left.size());
     QVERIFY(frame->rig && frame->rig->rectified && !frame->cloud);
-    QVERIFY(frame->load && frame->truth && frame->truth->yard);
+    QVERIFY(frame->load && frame->trueDistance);
+    const YardFrame again = source->at(39);
+    QVERIFY(again.truth && samePicture(again.frame->left, frame->left));
     QVERIFY(source->next({}).status == ReadResult::Status::End);
   }
 
   // Any frame alone, in any order, from a yard of any length: the same bytes.
   void theSameOptionsGiveTheSameBytes() {
     const std::string options = "as=cloud,depth_noise=0.1,exposure=0.5,rain=0.2,path=random";
-    const FramePtr sought = m_frames.at(options, 37);
-    const auto other = openDemoSource("yard,frames=60," + options, "demo:yard");
+    const YardFrame shown = m_frames.withTruth(options, 37);
+    const FramePtr& sought = shown.frame;
+    const auto other = std::make_unique<YardSource>("frames=60," + options);
     QVERIFY(other->seek(36));
     other->next({});
     const FramePtr stepped = other->next({}).frame;
     QVERIFY(samePicture(sought->left, stepped->left));
     QVERIFY(sameCloud(*sought->cloud, *stepped->cloud));
-    QVERIFY(samePicture(sought->truth->yard->kind, stepped->truth->yard->kind));
-    QCOMPARE(sought->truth->distance, stepped->truth->distance);
+    QVERIFY(samePicture(shown.truth->kind, other->at(37).truth->kind));
+    QCOMPARE(sought->trueDistance, stepped->trueDistance);
     QVERIFY(!samePicture(sought->left, m_frames.at(options, 38)->left));
   }
 
@@ -89,8 +92,8 @@ class TestYardSource : public QObject {
   }
 
   void theCloudIsTheDepthThatIsTrue() {
-    const FramePtr frame = m_frames.at("as=cloud", 120);
-    const cv::Mat& depth = frame->truth->yard->depth;
+    const auto [frame, truth] = m_frames.withTruth("as=cloud", 120);
+    const cv::Mat& depth = truth->depth;
     QVERIFY(frame->cloud->organised() && frame->right.empty() && !frame->rig);
     QCOMPARE(frame->cloud->size(), frame->left.total());
     QCOMPARE(*frame->cloud->camera, demoCamera);
@@ -107,8 +110,9 @@ class TestYardSource : public QObject {
 
   // A fifth of a pixel of disparity: 5 cm at 6 m, four times as much at twice the distance.
   void depthHasTheNoiseOfAStereoCamera() {
-    const FramePtr frame = m_frames.at("as=depth", 120);
-    const YardTruth& truth = *frame->truth->yard;
+    const YardFrame shown = m_frames.withTruth("as=depth", 120);
+    const FramePtr& frame = shown.frame;
+    const YardTruth& truth = *shown.truth;
     double squares = 0.0;
     int count = 0;
     for (int v = 0; v < truth.depth.rows; ++v) {
@@ -176,29 +180,30 @@ class TestYardSource : public QObject {
           (m_frames.at(steady, k + 1)->load->centre - m_frames.at(steady, k)->load->centre).norm();
       if (moved > speed) speed = moved, fastest = k;
     }
-    const FramePtr a = m_frames.at(steady, fastest), b = m_frames.at(blurred, fastest);
-    const YardTruth& truth = *a->truth->yard;
+    const auto [a, truthOfA] = m_frames.withTruth(steady, fastest);
+    const auto [b, truthOfB] = m_frames.withTruth(blurred, fastest);
+    const YardTruth& truth = *truthOfA;
     const cv::Mat tool = truth.kind == double(YardKind::Tool);
     QVERIFY(sharpness(b->left, tool) < 0.8 * sharpness(a->left, tool));
     cv::Mat far, changed;
     cv::absdiff(a->left, b->left, changed);
     cv::inRange(changed, cv::Scalar::all(0), cv::Scalar::all(12), far);
     QVERIFY(cv::countNonZero(far) > int(far.total()) * 3 / 4);
-    QVERIFY(samePicture(truth.kind, b->truth->yard->kind));
+    QVERIFY(samePicture(truth.kind, truthOfB->kind));
   }
 
   void personAndClutterCanBeLeftOut() {
     const auto kinds = [&](const std::string& options) {
-      const FramePtr frame = m_frames.at(options, 100);
+      const YardFrame shown = m_frames.withTruth(options, 100);
       const auto count = [&](YardKind kind) {
-        return cv::countNonZero(frame->truth->yard->kind == double(kind));
+        return cv::countNonZero(shown.truth->kind == double(kind));
       };
       return std::array{count(YardKind::Person), count(YardKind::Branch) + count(YardKind::Leaf)};
     };
     const auto all = kinds("as=cloud"), none = kinds("as=cloud,person=off,clutter=off");
     QVERIFY(all[0] > 200 && all[1] > 200);
     QVERIFY(none[0] == 0 && none[1] == 0);
-    QVERIFY(!m_frames.at("as=cloud,person=off,clutter=off", 100)->truth->yard->person);
+    QVERIFY(!m_frames.withTruth("as=cloud,person=off,clutter=off", 100).truth->person);
   }
 
   void whatCannotBeIsRefused_data() {
@@ -231,7 +236,7 @@ class TestYardSource : public QObject {
     QFETCH(QString, options);
     QFETCH(QString, named);
     const std::string address = "demo:yard," + options.toStdString();
-    const QString message = errorOf([&] { openYardSource(options.toStdString(), address); });
+    const QString message = errorOf([&] { YardSource(options.toStdString(), address); });
     COMPARE_CONTAINS(message, QString::fromStdString(address));
     COMPARE_CONTAINS(message, named);
   }

@@ -76,10 +76,7 @@ class TestYardTruth : public QObject {
 
   YardFrames m_frames;
 
-  const YardTruth& truth(std::size_t index, FramePtr& frame) {
-    frame = m_frames.at("", index);
-    return *frame->truth->yard;
-  }
+  YardFrame shownAt(std::size_t index) { return m_frames.withTruth("", index); }
 
  private slots:
   void distancesAreThoseOfFcl() {
@@ -88,8 +85,8 @@ class TestYardTruth : public QObject {
     const YardLayout layout(options.seed);
     const Yard yard(options);
     for (const std::size_t index : someFrames) {
-      FramePtr frame;
-      const YardTruth& known = truth(index, frame);
+      const YardFrame shown = shownAt(index);
+      const YardTruth& known = *shown.truth;
       const OrientedBox load = levelled(known.load, yard.eye(0).level);
       double nearest = fclDistance(load, layout.ground);
       const std::vector<YardApproach> all = known.everything();
@@ -108,7 +105,7 @@ class TestYardTruth : public QObject {
         nearest = std::min(nearest, wanted);
       }
       QVERIFY(std::abs(known.nearest.pair.distance - nearest) < 2e-3);
-      QCOMPARE(frame->truth->distance, known.nearest.pair.distance);
+      QCOMPARE(*shown.frame->trueDistance, known.nearest.pair.distance);
     }
   }
 
@@ -118,8 +115,8 @@ class TestYardTruth : public QObject {
     const Yard yard(options);
     const YardLayout layout(options.seed);
     for (const std::size_t index : someFrames) {
-      FramePtr frame;
-      const YardTruth& known = truth(index, frame);
+      const YardFrame shown = shownAt(index);
+      const YardTruth& known = *shown.truth;
       const ConvexPair& pair = known.nearest.pair;
       QVERIFY(std::abs((pair.onA - pair.onB).norm() - pair.distance) < 1e-6);
       OrientedBox load = known.load;
@@ -133,8 +130,9 @@ class TestYardTruth : public QObject {
   }
 
   void disparityIsWhatTheRigMakesOfDepth() {
-    FramePtr frame;
-    const YardTruth& known = truth(118, frame);
+    const YardFrame shown = shownAt(118);
+    const YardTruth& known = *shown.truth;
+    const FramePtr& frame = shown.frame;
     const cv::Mat disparity = known.disparity();
     const double scale = frame->rig->leftMatrix(0, 0) * frame->rig->baseline();
     QCOMPARE(scale, 600.0 * 0.24);
@@ -180,8 +178,9 @@ class TestYardTruth : public QObject {
 
   // Measured: 94 % of the pixels are matched, 95 % of these within a pixel.
   void theChainsMatcherFindsTheDisparities() {
-    FramePtr frame;
-    const YardTruth& known = truth(251, frame);
+    const YardFrame shown = shownAt(251);
+    const YardTruth& known = *shown.truth;
+    const FramePtr& frame = shown.frame;
     StereoStage stage;
     const cv::Mat found =
         stage.process(frame->left, frame->right, *frame->rig, StereoParameters{}).disparity;
@@ -202,8 +201,8 @@ class TestYardTruth : public QObject {
 
   void loadAndToolAreWhereThePictureShowsThem() {
     for (const std::size_t index : someFrames) {
-      FramePtr frame;
-      const YardTruth& known = truth(index, frame);
+      const YardFrame shown = shownAt(index);
+      const YardTruth& known = *shown.truth;
       OrientedBox load = known.load;
       load.size.array() += 2e-4;
       int loads = 0, tools = 0;
@@ -233,8 +232,8 @@ class TestYardTruth : public QObject {
   }
 
   void whatDoesNotMoveStaysAsItIs() {
-    FramePtr a, b;
-    const YardTruth &first = truth(118, a), &second = truth(333, b);
+    const YardFrame a = shownAt(118), b = shownAt(333);
+    const YardTruth &first = *a.truth, &second = *b.truth;
     const cv::Mat still = ~(first.moving() | second.moving());
     QVERIFY(cv::countNonZero(still) > int(still.total()) / 2);
     for (int v = 0; v < still.rows; ++v) {
