@@ -58,7 +58,7 @@ const QList<Ban> bans{
 const QString startsTheLaboratory = "app/main.cpp";
 
 Sources readTree() {
-  const QDir root(BOOMWATCH_SOURCE_ROOT);
+  const QDir root = folderAboveWith(QStringLiteral("CMakePresets.json"));
   Sources sources;
   for (const char* folder : {"core", "widgets", "app"}) {
     QDirIterator files(root.filePath(folder), {"*.h", "*.cpp"}, QDir::Files,

@@ -4,6 +4,7 @@
 #include <map>
 #include <opencv2/imgproc.hpp>
 
+#include "support/compare_near.h"
 #include "support/floor_plane.h"
 #include "support/real_data.h"
 #include "support/sequence.h"
@@ -247,8 +248,8 @@ void TestOverheadSlow::floorTiltsAsItsTilesSay() {
   qInfo("the floor falls by %.3f m a metre along x, %.3f along y; its tiles say %.3f and %.3f",
         a[a.size() / 2], b[b.size() / 2], tiles.abc.x(), tiles.abc.y());
   // Along x it is the focal lengths that decide, and the rows say less of those.
-  QVERIFY(std::abs(a[a.size() / 2] - tiles.abc.x()) <= 0.04);
-  QVERIFY(std::abs(b[b.size() / 2] - tiles.abc.y()) <= 0.04);
+  BW_COMPARE_NEAR(a[a.size() / 2], tiles.abc.x(), 0.04);
+  BW_COMPARE_NEAR(b[b.size() / 2], tiles.abc.y(), 0.04);
 }
 
 void TestOverheadSlow::whoWalksThroughIsNotInTheModelAfterwards() {
@@ -274,7 +275,7 @@ void TestOverheadSlow::boxReportsThePlaneBelowItWhileNobodyIsNear() {
         "5 cm",
         quiet.first, quiet.last - 1, errors[errors.size() / 2], errors.front(), errors.back(),
         100 * share);
-    QVERIFY(std::abs(errors[errors.size() / 2]) <= 0.05);
+    BW_COMPARE_NEAR(errors[errors.size() / 2], 0.0, 0.05);
     QCOMPARE(share, 1.0);
   }
 }

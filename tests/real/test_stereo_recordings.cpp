@@ -3,6 +3,7 @@
 
 #include "sources/stereo_source.h"
 #include "stereo/stereo_stage.h"
+#include "support/compare_near.h"
 #include "support/real_data.h"
 #include "support/test_registry.h"
 
@@ -116,7 +117,7 @@ class TestStereoRecordings : public QObject {
     StereoStage stage;
     const auto result = stage.process(frame->left, frame->right, *frame->rig, {});
     const double depth = medianDepth(*result.cloud);
-    QVERIFY2(std::abs(depth - 2.75) < 0.05, qPrintable(QString::number(depth)));
+    BW_COMPARE_NEAR(depth, 2.75, 0.05);
   }
 
   void measuresTheDisparityOfRealPairs_data() {

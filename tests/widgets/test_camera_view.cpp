@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "camera_view.h"
+#include "support/compare_near.h"
 #include "support/scene_for_tests.h"
 #include "support/test_registry.h"
 #include "theme.h"
@@ -82,7 +83,7 @@ void TestCameraView::thePictureKeepsItsAspect() {
     view.resize(size);
     const QRectF area = view.pictureRect();
     QVERIFY(QRectF(view.rect()).contains(area));
-    QVERIFY(std::abs(area.width() / area.height() - 768.0 / 576.0) < 1e-9);
+    BW_COMPARE_NEAR(area.width() / area.height(), 768.0 / 576.0, 1e-9);
   }
 }
 
@@ -273,12 +274,20 @@ void TestCameraView::anUnseenToolIsSaidInWords() {
   view.resize(768, 576);
   result->tool = {};
   view.setDisplay(makeDisplay(result, {}));
-  const QImage idle = view.grab().toImage();
+  // The picture is dark in that corner: what is bright there is writing.
+  const auto writing = [&view] {
+    const QImage image = view.grab().toImage();
+    int pixels = 0;
+    for (int y = 0; y < 40; ++y) {
+      for (int x = 0; x < 400; ++x) pixels += qGray(image.pixel(x, y)) > 200 ? 1 : 0;
+    }
+    return pixels;
+  };
+  QCOMPARE(writing(), 0);
   result->tool.state = TrackState::Lost;
   result->tool.age = 1.2;
   view.setDisplay(makeDisplay(result, {}));
-  const QRect corner(0, 0, 400, 40);
-  QVERIFY(view.grab().toImage().copy(corner) != idle.copy(corner));
+  QVERIFY(writing() > 100);
 }
 
 void TestCameraView::theLoadIsDrawnWhereThePinholePutsIt() {

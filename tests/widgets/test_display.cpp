@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "display.h"
+#include "support/compare_near.h"
 #include "support/scene_for_tests.h"
 #include "support/test_registry.h"
 
@@ -175,7 +176,7 @@ void TestDisplay::theLayersOfTheCloudAreEvenSamples() {
   const auto total = static_cast<double>(cloud.points.size());
   const auto sample = static_cast<double>(cloud.layerEnds.front());
   for (std::size_t q = 0; q < 4; ++q) {
-    QVERIFY(std::abs(first[q] / sample - all[q] / total) < 0.005);
+    BW_COMPARE_NEAR(first[q] / sample, all[q] / total, 0.005);
   }
 }
 

@@ -1,6 +1,9 @@
 #include <QtTest>
 
 #include "distance_bar.h"
+#include "support/baseline.h"
+#include "support/compare_near.h"
+#include "support/enumerators.h"
 #include "support/scene_for_tests.h"
 #include "support/test_registry.h"
 #include "texts.h"
@@ -91,7 +94,7 @@ void TestDistanceBar::theRedInThePictureIsTheFill() {
   const QImage more = bar.grab().toImage();
   const double ratio =
       shareOf(more, theme.bar, theme.track) / shareOf(some, theme.bar, theme.track);
-  QVERIFY2(std::abs(ratio - 2.0) < 0.05, qPrintable(QString::number(ratio)));
+  BW_COMPARE_NEAR(ratio, 2.0, 0.05);
 }
 
 void TestDistanceBar::theNumberIsCutNeverRoundedUp() {
@@ -108,11 +111,13 @@ void TestDistanceBar::theNumberIsCutNeverRoundedUp() {
 void TestDistanceBar::everyReasonHasATitleAndARemedy() {
   QVERIFY(reasonText(Reason::None).isEmpty() && reasonTitle(Reason::None).isEmpty());
   QStringList seen;
-  for (int k = 1; k <= static_cast<int>(Reason::NothingObserved); ++k) {
-    const auto reason = static_cast<Reason>(k);
+  // The last sentence says what to do, and begins with a verb that says it.
+  static const QRegularExpression remedy(
+      "[.] (Check|Hold|Bring|Draw|Turn|Move|Widen|Track|Wait|Raise|Lower|Reopen|Select|Set|Show)"
+      " [^.]+([.]\\d[^.]*)*[.]$");
+  for (const Reason reason : everyFault()) {
     QVERIFY2(!reasonTitle(reason).isEmpty(), std::string(toString(reason)).c_str());
-    // What is wrong, and what to do: two sentences.
-    QVERIFY(reasonText(reason).count(QLatin1Char('.')) >= 2);
+    QVERIFY2(reasonText(reason).contains(remedy), qPrintable(reasonText(reason)));
     QVERIFY(!seen.contains(reasonText(reason)));
     seen << reasonText(reason);
   }
@@ -123,8 +128,7 @@ void TestDistanceBar::withoutADistanceItIsHatchedAndSaysWhy() {
   bar.resize(bar.sizeHint());
   QVERIFY(!bar.fill());
   QVERIFY(bar.level() == WarningLevel::NoDistance);
-  for (int k = 1; k <= static_cast<int>(Reason::NothingObserved); ++k) {
-    const auto reason = static_cast<Reason>(k);
+  for (const Reason reason : everyFault()) {
     bar.setDisplay(makeDisplay(unknown(reason), {}));
     QVERIFY(!bar.fill());
     QVERIFY(bar.hintText().contains(reasonText(reason)));
@@ -234,14 +238,14 @@ void TestDistanceBar::everyLevelIsToldApartWithoutColour() {
   bar.resize(bar.sizeHint());
   bar.setDisplay(makeDisplay(measured(1.0), {}));
   QList<QImage> heads;
-  for (const auto level : {WarningLevel::Clear, WarningLevel::Caution, WarningLevel::Warning,
-                           WarningLevel::Collision, WarningLevel::NoDistance}) {
+  for (const WarningLevel level : every<WarningLevel>()) {
     bar.setLatchedLevel(level);
     const QImage head =
         bar.grab(QRect(0, 0, 44, 46))
             .toImage()
             .convertToFormat(QImage::Format_Mono, Qt::ThresholdDither | Qt::AvoidDither);
-    QVERIFY(!heads.contains(head));
+    // At least an eighth of the shape's square is black where the other's is white, or the reverse.
+    for (const QImage& other : heads) QVERIFY(differentPixels(head, other) > 26 * 26 / 8);
     heads << head;
   }
 }

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "cloud/depth_noise.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -63,7 +64,8 @@ class TestDepthNoise : public QObject {
   void theNoiseIsMeasured() {
     for (const double deviation : {0.0005, 0.0014, 0.003}) {
       const auto measured = depthNoise(*noisy(*seen(slope), deviation));
-      QVERIFY(measured && std::abs(*measured - deviation) < 0.1 * deviation);
+      QVERIFY(measured);
+      BW_COMPARE_NEAR(*measured, deviation, 0.1 * deviation);
     }
     QVERIFY(*depthNoise(*seen(step)) < 1e-6);
   }
@@ -79,10 +81,10 @@ class TestDepthNoise : public QObject {
     const auto smooth = withoutDepthNoise(noisy(*exact, 0.0014), 5);
     for (int v = 5; v < height - 5; ++v) {
       for (const int u : {width / 2 - 1, width / 2}) {
-        QVERIFY(std::abs(smooth->at(u, v).z() - exact->at(u, v).z()) < 0.1F);
+        BW_COMPARE_NEAR(smooth->at(u, v).z(), exact->at(u, v).z(), 0.1F);
         // Along its ray: it stays in its pixel.
         const auto& p = smooth->at(u, v);
-        QVERIFY(std::abs(p.x() / p.z() * focal - static_cast<float>(u - width / 2)) < 1e-3F);
+        BW_COMPARE_NEAR(p.x() / p.z() * focal, static_cast<float>(u - width / 2), 1e-3F);
       }
     }
   }

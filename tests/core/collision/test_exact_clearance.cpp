@@ -4,6 +4,7 @@
 
 #include "collision/exact_clearance.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -71,7 +72,7 @@ void compare(const EnvironmentModel& model, int poses, scenes::Random& random) {
                             .arg(*truth, 0, 'g', 17)));
     QVERIFY(onSurface(model, found.nearest->onEnvironment));
     const double apart = (found.nearest->onLoad - found.nearest->onEnvironment).norm();
-    QVERIFY(std::abs(apart - found.nearest->distance) <= 1e-12);
+    BW_COMPARE_NEAR(apart, found.nearest->distance, 1e-12);
   }
 }
 
@@ -119,7 +120,7 @@ class TestExactClearance : public QObject {
     const double x = m_small.xOf(40);  // the edge lies above a column of cell centres
     const OrientedBox box{{x, 0, 2}, {1, 0.4, 1}, rotationFromYawPitchRoll(M_PI / 4, 0, 0)};
     const Clearance found = clearanceOf(model, box);
-    QVERIFY(std::abs(found.nearest->distance - (floor - 2 - std::sqrt(0.5))) < 1e-12);
+    BW_COMPARE_NEAR(found.nearest->distance, floor - 2 - std::sqrt(0.5), 1e-12);
     QVERIFY(found.nearest->part == LoadPart::Edge);
   }
 
@@ -129,13 +130,13 @@ class TestExactClearance : public QObject {
     const Vector3d p = m_small.surfacePoint(70, 50, 200);
     const OrientedBox box{p - Vector3d(0.5, 0.5, 0.5) - Vector3d(0.1, 0.2, 0.2), {1, 1, 1}};
     const Clearance found = clearanceOf(model, box);
-    QVERIFY(std::abs(found.nearest->distance - 0.3) < 1e-12);
+    BW_COMPARE_NEAR(found.nearest->distance, 0.3, 1e-12);
     QVERIFY(found.nearest->part == LoadPart::Corner);
     QVERIFY((found.nearest->onEnvironment - p).norm() < 1e-12);
     QVERIFY((found.nearest->onLoad - (p - Vector3d(0.1, 0.2, 0.2))).norm() < 1e-12);
     // Half of a cell along n = (1, 2, 2) / 3.
     const double half = (0.05 + 2 * 0.05 + 2 * m_small.levelStep()) / 3 / 2;
-    QVERIFY(std::abs(found.nearest->quantisation - half) < 1e-12);
+    BW_COMPARE_NEAR(found.nearest->quantisation, half, 1e-12);
   }
 
   void reportsZeroWhenTheEnvironmentIsInsideTheLoad() {
@@ -165,7 +166,7 @@ class TestExactClearance : public QObject {
     const OrientedBox box{{0.025, 0.025, 1}, {1, 1, 1}};
     QVERIFY(clearanceOf(model, box).state == ClearanceState::NothingInRange);
     model.set(0, 0, 0.6F, 255);
-    QVERIFY(std::abs(clearanceOf(model, box).nearest->distance - 3.5) < 1e-12);
+    BW_COMPARE_NEAR(clearanceOf(model, box).nearest->distance, 3.5, 1e-12);
   }
 
   void holdsTheRange() {
@@ -225,7 +226,7 @@ class TestExactClearance : public QObject {
   void survivesBoxesBeyondAnyReason() {
     const EnvironmentModel model = scenes::flatFloor(m_small, 4.0);
     QCOMPARE(clearanceOf(model, {{0, 0, 0}, {1e8, 1e8, 1e8}}).nearest->distance, 0.0);
-    QVERIFY(std::abs(clearanceOf(model, {{1e6, 0, 2}, {1, 1, 1}}).nearest->distance - 1e6) < 5);
+    BW_COMPARE_NEAR(clearanceOf(model, {{1e6, 0, 2}, {1, 1, 1}}).nearest->distance, 1e6, 5);
     QVERIFY(clearanceOf(model, {{0, 0, 2}, {0, 0, 0}}).state == ClearanceState::Measured);
     for (const double huge : {1e10, 1e200, 1e308}) {
       QVERIFY(clearanceOf(model, {{huge, 0, 0}, {1, 1, 1}}).reason == Reason::NoLoad);

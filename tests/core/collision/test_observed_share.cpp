@@ -3,6 +3,7 @@
 
 #include "collision/observed_share.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -142,9 +143,9 @@ class TestObservedShare : public QObject {
   void countsWhatLiesOutsideTheBoundsAsUnobserved() {
     const auto model = observed(grid, [](int, int) { return true; });
     const OrientedBox edge{{2, 0, 2}, {1, 0.4, 0.6}};
-    QVERIFY(std::abs(shareOf(model, edge, 0.3) - 0.5) < 1e-12);
+    BW_COMPARE_NEAR(shareOf(model, edge, 0.3), 0.5, 1e-12);
     const OrientedBox corner{{2, 1.5, 2}, {1, 0.4, 0.6}};
-    QVERIFY(std::abs(shareOf(model, corner, 0.3) - 0.25) < 1e-12);
+    BW_COMPARE_NEAR(shareOf(model, corner, 0.3), 0.25, 1e-12);
     const OrientedBox outside{{4, 0, 2}, {1, 0.4, 0.6}};
     QCOMPARE(shareOf(model, outside, 0.3), 0.0);
   }
@@ -155,7 +156,7 @@ class TestObservedShare : public QObject {
     for (const double reach : {10.0, 200.0, 1e4, 1e6}) {
       const double area = 0.4 + 2.8 * reach + M_PI * reach * reach;
       const double expected = 4.0 * 3.0 / area;
-      QVERIFY(std::abs(shareOf(model, box, reach) / expected - 1) < 1e-3);
+      BW_COMPARE_NEAR(shareOf(model, box, reach) / expected, 1, 1e-3);
     }
     QVERIFY(shareOf(model, box, 1e200) < 1e-12);
   }
@@ -177,10 +178,10 @@ class TestObservedShare : public QObject {
     share.rebuild(EnvironmentModel(grid));
     QCOMPARE(share.query(box, 0.3), 0.0);
     share.rebuild(observed(grid, [](int i, int) { return i < 40; }));
-    QVERIFY(std::abs(share.query(box, 0.3) - 0.5) < 1e-12);
+    BW_COMPARE_NEAR(share.query(box, 0.3), 0.5, 1e-12);
     // As many cells as before, but others.
     share.rebuild(observed(grid, [](int i, int) { return i >= 40; }));
-    QVERIFY(std::abs(share.query(box, 0.3) - 0.5) < 1e-12);
+    BW_COMPARE_NEAR(share.query(box, 0.3), 0.5, 1e-12);
     share.rebuild(observed(GridGeometry({-1, 1, -1, 1, 0, 5}, 0.1), [](int, int) { return true; }));
     QCOMPARE(share.query(box, 0.3), 1.0);
   }
@@ -197,7 +198,7 @@ class TestObservedShare : public QObject {
     QCOMPARE(watchedDepth(at(1.8), 10, bounds), 2.9 / 10);  // the camera is 1.5 m before it
     const OrientedBox standing{
         {0, 0, 4.2}, {1, 0.4, 0.6}, rotationFromYawPitchRoll(M_PI / 2, 0, 0)};
-    QVERIFY(std::abs(watchedDepth(standing, 1, bounds) - 0.3) < 1e-9);
+    BW_COMPARE_NEAR(watchedDepth(standing, 1, bounds), 0.3, 1e-9);
     const Bounds fromCamera{-2, 2, -2, 2, 0, 5};
     QCOMPARE(watchedDepth(at(0.4), 1, fromCamera), 1.0);  // nothing is behind the camera
     QCOMPARE(watchedDepth(at(3), std::nan(""), bounds), 0.0);

@@ -4,6 +4,7 @@
 #include "collision/exact_clearance.h"
 #include "collision/search_target.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -94,7 +95,7 @@ void TestUnseenSpace::equalsEveryLine() {
       const OrientedBox box = scenes::anyLoad(geometry.bounds(), random);
       const Clearance found = exact.query(box, std::numeric_limits<double>::infinity());
       QVERIFY(found.nearest);
-      QVERIFY(std::abs(found.nearest->distance - everyLine(model, box)) < 1e-9);
+      BW_COMPARE_NEAR(found.nearest->distance, everyLine(model, box), 1e-9);
     }
   }
 }
@@ -113,7 +114,7 @@ void TestUnseenSpace::aCellThatWasNeverSeenIsAnObstacle() {
   QVERIFY(exact.query(box, 10.0).state == ClearanceState::NothingInRange);
   exact.rebuild(model, {}, true);
   // Cells from x = 1 on were never seen; the first one's centre lies at 1.025.
-  QVERIFY(std::abs(exact.query(box, 10.0).nearest->distance - 0.825) < 1e-9);
+  BW_COMPARE_NEAR(exact.query(box, 10.0).nearest->distance, 0.825, 1e-9);
 }
 
 void TestUnseenSpace::behindASurfaceIsSolid() {
@@ -130,9 +131,9 @@ void TestUnseenSpace::behindASurfaceIsSolid() {
   exact.rebuild(model);
   const double gable = geometry.zOf(geometry.levelOf(1.0));
   const double toGable = std::hypot(0.825, 2.8 - gable);
-  QVERIFY(std::abs(exact.query(box, 10.0).nearest->distance - toGable) < 1e-9);
+  BW_COMPARE_NEAR(exact.query(box, 10.0).nearest->distance, toGable, 1e-9);
   exact.rebuild(model, {}, true);
-  QVERIFY(std::abs(exact.query(box, 10.0).nearest->distance - 0.825) < 1e-9);
+  BW_COMPARE_NEAR(exact.query(box, 10.0).nearest->distance, 0.825, 1e-9);
 }
 
 void TestUnseenSpace::exemptCellsAreFree() {
@@ -147,7 +148,7 @@ void TestUnseenSpace::exemptCellsAreFree() {
   ExactClearance exact;
   exact.rebuild(model, near, true);
   const Clearance found = exact.query({{0, 0, 2.5}, {0.001, 0.001, 0.001}}, 10.0);
-  QVERIFY(std::abs(found.nearest->distance - 1.0) < 0.05);
+  BW_COMPARE_NEAR(found.nearest->distance, 1.0, 0.05);
 }
 
 BOOMWATCH_TEST(TestUnseenSpace)

@@ -5,6 +5,7 @@
 #include "crane/static_scene.h"
 #include "pipeline/pipeline.h"
 #include "simulation/yard/part.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -67,8 +68,8 @@ class TestCraneMask : public QObject {
     const auto found = beamIn(points, 0.1);
     QVERIFY(found.has_value());
     QVERIFY(std::abs(found->axis.dot(axis)) > 0.999);
-    QVERIFY(std::abs(found->length - 2.0) < 0.15);
-    QVERIFY(std::abs(found->share - 0.67) < 0.06);
+    BW_COMPARE_NEAR(found->length, 2.0, 0.15);
+    BW_COMPARE_NEAR(found->share, 0.67, 0.06);
     QVERIFY(found->centre.norm() < 0.1);
   }
 

@@ -3,6 +3,8 @@
 
 #include "environment/cell_surfaces.h"
 #include "environment/grid_geometry.h"
+#include "support/compare_near.h"
+#include "support/enumerators.h"
 #include "support/test_registry.h"
 
 using boomwatch::Bounds;
@@ -79,7 +81,7 @@ class TestCellSurfaces : public QObject {
     const Points cells = CellSurfaces().extract(plane, geometry);
     const Points nearest = nearestOf(plane, geometry);
     QCOMPARE(cells.size(), nearest.size());
-    QVERIFY(std::abs(meanBefore(cells, slope, geometry)) < 0.002);
+    BW_COMPARE_NEAR(meanBefore(cells, slope, geometry), 0.0, 0.002);
     // The reason for all this.
     const double half = side / 2 * double(slope) / std::hypot(1.0, double(slope));
     QVERIFY(meanBefore(nearest, slope, geometry) > 0.5 * half - 0.001);
@@ -104,7 +106,7 @@ class TestCellSurfaces : public QObject {
     do {
       const Points cells = surfaces.extract(points, grid);
       QCOMPARE(cells.size(), std::size_t{1});
-      QVERIFY(std::abs(cells[0].z() - mean) < 1e-5F);
+      BW_COMPARE_NEAR(cells[0].z(), mean, 1e-5F);
     } while (std::next_permutation(points.begin(), points.end(), isNearer));
     QCOMPARE(surfaces.extract(Points{at(7.0F)}, grid)[0].z(), 7.0F);
     QVERIFY(surfaces.extract({}, grid).empty());
@@ -113,7 +115,7 @@ class TestCellSurfaces : public QObject {
 
   void aPointStaysInItsCellAndInTheBounds() {
     const Bounds bounds{-1.0, 1.0, -1.0, 1.0, 1.0, 5.0};
-    for (const auto projection : {ModelProjection::Parallel, ModelProjection::Perspective}) {
+    for (const auto projection : every<ModelProjection>()) {
       const GridGeometry geometry(bounds, side, projection);
       Points points;
       for (float x = -0.999F; x < 1.0F; x += 0.011F) {

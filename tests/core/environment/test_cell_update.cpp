@@ -2,6 +2,7 @@
 #include <random>
 
 #include "environment/environment_model.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -127,7 +128,7 @@ class TestCellUpdate : public QObject {
       }
       model.update(points, parameters);
       for (std::size_t k = 0; k < plain.size(); ++k) {
-        QVERIFY(std::abs(model.probabilities()[k] - plain[k].probability) < 1e-5);
+        BW_COMPARE_NEAR(model.probabilities()[k], plain[k].probability, 1e-5);
         QCOMPARE(model.levels()[k] > 0, plain[k].occupied);
       }
     }
@@ -309,7 +310,7 @@ class TestCellUpdate : public QObject {
   void theHighestProbabilityIsReached() {
     QFETCH(ModelUpdate, update);
     const float reached = seenForLong(with(update)).probabilities()[grid.index(3, 3)];
-    QVERIFY(std::abs(reached - maxProbability(with(update))) < 1e-5);
+    BW_COMPARE_NEAR(reached, maxProbability(with(update)), 1e-5);
   }
 
   // The thesis's probabilities are not bounded by 1: whoever changes the update in the middle of a

@@ -4,6 +4,7 @@
 
 #include "environment/components.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -96,14 +97,14 @@ void TestComponents::aLoneCellCountsLessThanTheGround() {
   pieces.rebuild(model, 0.1);
   const Evidence ground = at(pieces, 10, 25, 4.0), speck = at(pieces, 5, 5, 2.0);
   QCOMPARE(ground.cells, 40 * 10);
-  QVERIFY(std::abs(ground.area - 2.0 * 0.5) < 1e-9);
-  QVERIFY(std::abs(ground.extent - std::hypot(2.0, 0.5)) < 1e-9);
+  BW_COMPARE_NEAR(ground.area, 2.0 * 0.5, 1e-9);
+  BW_COMPARE_NEAR(ground.extent, std::hypot(2.0, 0.5), 1e-9);
   QCOMPARE(speck.cells, 1);
-  QVERIFY(std::abs(speck.extent - 0.05 * std::sqrt(2.0)) < 1e-9);
+  BW_COMPARE_NEAR(speck.extent, 0.05 * std::sqrt(2.0), 1e-9);
   // Area 0.0025 m2 of (20 cm)^2: 1 - exp(-1/16), times 0.6 of 2/3.
   const double most = 2.0 / 3.0;
-  QVERIFY(std::abs(confidenceOf(speck, most) - 0.9 * (1 - std::exp(-1.0 / 16))) < 1e-6);
-  QVERIFY(std::abs(confidenceOf(ground, most) - 0.9) < 1e-6);
+  BW_COMPARE_NEAR(confidenceOf(speck, most), 0.9 * (1 - std::exp(-1.0 / 16)), 1e-6);
+  BW_COMPARE_NEAR(confidenceOf(ground, most), 0.9, 1e-6);
 }
 
 void TestComponents::aStepInDepthParts() {
@@ -114,7 +115,7 @@ void TestComponents::aStepInDepthParts() {
   QCOMPARE(at(pieces, 0, 10, 2.0).cells, 5);
   pieces.rebuild(model, 0.6);
   QCOMPARE(at(pieces, 0, 10, 2.0).cells, 10);
-  QVERIFY(std::abs(at(pieces, 0, 10, 2.0).extent - Eigen::Vector3d(0.5, 0.05, 0.5).norm()) < 0.02);
+  BW_COMPARE_NEAR(at(pieces, 0, 10, 2.0).extent, Eigen::Vector3d(0.5, 0.05, 0.5).norm(), 0.02);
 }
 
 void TestComponents::whatIsSmallIsNamed() {
@@ -191,7 +192,7 @@ void TestComponents::cellsFinerThanThePixelsAreOnePiece() {
     const auto [pieces, doubtful] = seen(apart);
     QVERIFY2(doubtful == 0, std::to_string(apart).c_str());
     const auto piece = pieces.evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)));
-    QVERIFY2(std::abs(piece->area - 0.2) < 0.05, std::to_string(piece->area).c_str());
+    BW_COMPARE_NEAR(piece->area, 0.2, 0.05);
   }
   QCOMPARE(seen(0.04).first.evidenceAt(fine.surfacePoint(100, 50, fine.levelOf(9.0)))->cells,
            5 * 25);

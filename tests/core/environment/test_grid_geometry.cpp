@@ -2,6 +2,7 @@
 #include <random>
 
 #include "environment/grid_geometry.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using boomwatch::Bounds;
@@ -31,10 +32,10 @@ class TestGrid : public QObject {
   void depthLevelsAreThoseOfFigure19() {
     const GridGeometry grid(Bounds{-3.2, 3.2, -3.2, 1.6, -0.4, 1.6}, 0.01);
     // Level 175 is 1.37 m from z_min, 0.97 m from the camera; 18 cells are 18 cm.
-    QVERIFY(std::abs(grid.zOf(175) - 0.97) < 0.005);
-    QVERIFY(std::abs(grid.zOf(175) - grid.bounds().zMin - 1.37) < 0.005);
+    BW_COMPARE_NEAR(grid.zOf(175), 0.97, 0.005);
+    BW_COMPARE_NEAR(grid.zOf(175) - grid.bounds().zMin, 1.37, 0.005);
     QCOMPARE(grid.levelOf(0.97), std::uint8_t{175});
-    QVERIFY(std::abs(grid.xOf(118) - grid.xOf(100) - 0.18) < 1e-12);
+    BW_COMPARE_NEAR(grid.xOf(118) - grid.xOf(100), 0.18, 1e-12);
   }
 
   void whatIsMeasuredIsNeverLevelZero() {

@@ -5,6 +5,7 @@
 #include "collision/observed_share.h"
 #include "environment/environment_model.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -112,7 +113,7 @@ void TestPerspectiveModel::equalsEveryCell() {
           best = std::min(best, (p - box.nearestTo(p)).norm());
         }
       }
-      QVERIFY(std::abs(exact.query(box, far).nearest->distance - best) < 1e-12);
+      BW_COMPARE_NEAR(exact.query(box, far).nearest->distance, best, 1e-12);
     }
   }
 }

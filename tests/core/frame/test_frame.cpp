@@ -10,6 +10,7 @@
 #include "frame/oriented_box.h"
 #include "frame/viewed_box.h"
 #include "pipeline/warning_level.h"
+#include "support/enumerators.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -202,8 +203,8 @@ class TestFrame : public QObject {
 
   void whatIsUnknownIsNeverClear() {
     const WarningParameters parameters;
-    for (int k = 0; k <= int(Reason::NothingObserved); ++k) {
-      QVERIFY(warningLevel(Clearance::unknown(Reason(k)), parameters) == WarningLevel::NoDistance);
+    for (const Reason reason : every<Reason>()) {
+      QVERIFY(warningLevel(Clearance::unknown(reason), parameters) == WarningLevel::NoDistance);
     }
     Clearance far;
     far.state = ClearanceState::NothingInRange;

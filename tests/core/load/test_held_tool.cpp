@@ -28,14 +28,14 @@ Vector3f toolOf(const OrientedBox& log) {
 
 /// The whole chain on demo:yard, ten frames a second, with a tracker that says what it is told to.
 struct Chain {
-  YardFrames frames;
+  YardFrames& frames;
   TrueTool tool;
   Pipeline pipeline{tool.maker()};
   Parameters parameters;
   std::size_t index = 0;
   YardFrame shown;  ///< the last one
 
-  Chain() {
+  explicit Chain(YardFrames& yard) : frames(yard) {
     pipeline.order(TrueTool::order());
     parameters.load.source = LoadSource::Detected;
   }
@@ -70,6 +70,9 @@ bool isRight(const Result& result, const Chain& chain) {
 /// The tool's place by the load that it holds.
 class TestHeldTool : public QObject {
   Q_OBJECT
+
+  YardFrames m_frames{42};  ///< those that every chain begins with
+
  private slots:
   void nothingIsKnownAtFirst() { QVERIFY(!HeldTool().point(logAt({0, 0, 6}, 0.0), 0.0)); }
 
@@ -102,7 +105,7 @@ class TestHeldTool : public QObject {
   /// A load that is seen keeps its distance though the tracker has lost the tool: until it has been
   /// lost for too long.
   void aLoadThatIsSeenKeepsItsDistance() {
-    Chain chain;
+    Chain chain(m_frames);
     chain.trackRightly();
     double lostFor = 0.0;
     for (int k = 0; k < 50; ++k) {
@@ -120,7 +123,7 @@ class TestHeldTool : public QObject {
   /// A tracker that slips from the tool to the boom above it, which is near enough for the tool,
   /// does not take the load along.
   void aTrackerThatSlipsDoesNotTakeTheLoadAlong() {
-    Chain chain;
+    Chain chain(m_frames);
     chain.trackRightly();
     for (int k = 0; k < 30; ++k) {
       QVERIFY2(isRight(chain.next(slipped), chain), qPrintable(QString::number(k)));
@@ -128,7 +131,7 @@ class TestHeldTool : public QObject {
   }
 
   void anOrderIsObeyedWhateverIsHeld() {
-    Chain chain;
+    Chain chain(m_frames);
     chain.trackRightly();
     chain.pipeline.order(TrueTool::order());
     const ToolTrack tool = chain.next(slipped).tool;

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "support/enumerators.h"
 #include "support/load_errors.h"
 #include "support/test_registry.h"
 
@@ -124,7 +125,7 @@ class TestLoadDetector : public QObject {
     for (int i = -200; i <= 200; ++i) {
       for (int j = -200; j <= 200; ++j) points.emplace_back(0.02F * i, 0.02F * j, 4.0F);
     }
-    for (const auto shape : {LoadShape::Cylinder, LoadShape::Box, LoadShape::Auto}) {
+    for (const auto shape : every<LoadShape>()) {
       const auto found = detect(unorganised(points), {0.1F, 0.2F, 4.0F}, shape);
       QCOMPARE(faultOf(found), QStringLiteral("on_surface"));
     }
@@ -163,7 +164,7 @@ class TestLoadDetector : public QObject {
   void oddCloudsAreRefused() {
     QFETCH(Points, points);
     const float huge = 1e30F;
-    for (const auto shape : {LoadShape::Cylinder, LoadShape::Box, LoadShape::Auto}) {
+    for (const auto shape : every<LoadShape>()) {
       for (const Vector3f& tool :
            {toolAt4, Vector3f(50, 50, 4), Vector3f(0, 0, 0), Vector3f(0, 0, -3), unmeasuredPoint(),
             Vector3f(huge, huge, huge), Vector3f(0, 0, 1e-30F)}) {

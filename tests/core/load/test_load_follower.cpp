@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "load/load_follower.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -50,7 +51,7 @@ class TestLoadFollower : public QObject {
     for (int k = 0; k < 100; ++k) {
       const double x = 0.05 * k;
       const auto followed = follower.follow(seen({x, 0, 5}), k * step, {}, maxAge);
-      if (k > 50) QVERIFY(std::abs(followed.box->centre.x() - x) < 0.01);
+      if (k > 50) BW_COMPARE_NEAR(followed.box->centre.x(), x, 0.01);
     }
   }
 
@@ -127,8 +128,8 @@ class TestLoadFollower : public QObject {
     const double last = 49 * step;
     const auto bridged = follower.follow(nothing, last + 0.4, {}, maxAge);
     QVERIFY(bridged.box);
-    QVERIFY(std::abs(*bridged.age - 0.4) < 1e-9);
-    QVERIFY(std::abs(bridged.box->centre.x() - 0.05 * 53) < 0.02);
+    BW_COMPARE_NEAR(*bridged.age, 0.4, 1e-9);
+    BW_COMPARE_NEAR(bridged.box->centre.x(), 0.05 * 53, 0.02);
     QVERIFY(!follower.follow(nothing, last + 0.6, {}, maxAge).box);
     QVERIFY(!follower.follow(nothing, last + 0.7, {}, maxAge).box);
   }
@@ -180,12 +181,12 @@ class TestLoadFollower : public QObject {
     };
     show(0.4, 80);
     const double first = box->size.x();
-    QVERIFY(std::abs(first - (whole - 0.2 * std::cos(0.4))) < 0.03);
+    BW_COMPARE_NEAR(first, whole - 0.2 * std::cos(0.4), 0.03);
     show(0.42, 80);  // hardly better: what was learnt is held
     QCOMPARE(box->size.x(), first);
     for (double angle = 0.42; angle < 1.5; angle += 0.02) show(angle, 1);
     show(1.5, 60);
-    QVERIFY2(std::abs(box->size.x() - whole) < 0.05, qPrintable(QString::number(box->size.x())));
+    BW_COMPARE_NEAR(box->size.x(), whole, 0.05);
     const double best = box->size.x();
     for (double angle = 1.5; angle > 0.4; angle -= 0.02) show(angle, 1);
     show(0.4, 60);  // worse again

@@ -11,37 +11,34 @@ class TestLoadPoses : public QObject {
 
  private:
   static constexpr int parts = 4, poses = 250;
-  load_scene::Errors m_errors;
-  int m_falseLoads = 0;
 
   static void addParts() {
-    QTest::addColumn<int>("part");
-    for (int part = 0; part < parts; ++part) QTest::addRow("part %d", part) << part;
+    QTest::addColumn<unsigned>("firstSeed");
+    for (unsigned part = 0; part < parts; ++part) QTest::addRow("part %u", part) << 10000U * part;
   }
 
  private slots:
   void logsAreFoundWhereTheyAre_data() { addParts(); }
   void logsAreFoundWhereTheyAre() {
-    QFETCH(int, part);
-    load_scene::addPoses(m_errors, 10000U * static_cast<unsigned>(part), poses);
-    if (part + 1 < parts) return;
-    qInfo("%s", qPrintable(m_errors.text()));
-    QCOMPARE(m_errors.poses, parts * poses);
-    QVERIFY(m_errors.found() >= 850);
-    QVERIFY(m_errors.badly <= 5);  // none is wanted
-    QVERIFY(load_scene::quantile(m_errors.axis, 0.5) < 3.0);
-    QVERIFY(load_scene::quantile(m_errors.centre, 0.5) < 0.05);
-    QVERIFY(load_scene::quantile(m_errors.radius, 0.5) < 0.10);
-    QVERIFY(load_scene::quantile(m_errors.length, 0.5) < 0.10);
+    QFETCH(unsigned, firstSeed);
+    load_scene::Errors errors;
+    load_scene::addPoses(errors, firstSeed, poses);
+    qInfo("%s", qPrintable(errors.text()));
+    QCOMPARE(errors.poses, poses);
+    QVERIFY(errors.found() >= poses * 85 / 100);
+    QVERIFY(errors.badly <= 2);  // none is wanted
+    QVERIFY(load_scene::quantile(errors.axis, 0.5) < 3.0);
+    QVERIFY(load_scene::quantile(errors.centre, 0.5) < 0.05);
+    QVERIFY(load_scene::quantile(errors.radius, 0.5) < 0.10);
+    QVERIFY(load_scene::quantile(errors.length, 0.5) < 0.10);
   }
 
   void anEmptyGrappleIsNoLoad_data() { addParts(); }
   void anEmptyGrappleIsNoLoad() {
-    QFETCH(int, part);
-    m_falseLoads += load_scene::falseLoads(10000U * static_cast<unsigned>(part), poses);
-    if (part + 1 < parts) return;
-    qInfo("%d of %d empty grapples are taken for a load", m_falseLoads, parts * poses);
-    QVERIFY(m_falseLoads <= parts * poses / 100);
+    QFETCH(unsigned, firstSeed);
+    const int loads = load_scene::falseLoads(firstSeed, poses);
+    qInfo("%d of %d empty grapples are taken for a load", loads, poses);
+    QVERIFY(loads <= poses / 100);
   }
 };
 

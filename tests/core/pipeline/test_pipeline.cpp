@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "pipeline/pipeline.h"
+#include "support/compare_near.h"
 #include "support/flat_scene.h"
 #include "support/test_registry.h"
 
@@ -77,7 +78,7 @@ void TestPipeline::measuresTheWallFromTheFourthFrameOn() {
   QCOMPARE(text(result.clearance.reason), text(Reason::None));
   const Nearest& nearest = *result.clearance.nearest;
   // The load's far face is at 1.7 m.
-  QVERIFY(std::abs(nearest.distance - 1.3) <= nearest.quantisation);
+  BW_COMPARE_NEAR(nearest.distance, 1.3, nearest.quantisation);
   QCOMPARE(text(result.level), text(WarningLevel::Caution));
   QVERIFY(*result.clearance.observedShare > 0.95);
   QVERIFY(!result.depthUncertainty);
@@ -265,8 +266,7 @@ void TestPipeline::aFrameFromAnotherTimeIsNotMeasuredAgainstTheOldModel() {
   const Result there = runWall(pipeline, parameters, 1, 3.0F, begin);
   QCOMPARE(text(there.clearance.reason), text(Reason::NoModel));
   const Result later = runWall(pipeline, parameters, 3, 3.0F, begin + 1);
-  QVERIFY(std::abs(later.clearance.nearest->distance - 1.3) <=
-          later.clearance.nearest->quantisation);
+  BW_COMPARE_NEAR(later.clearance.nearest->distance, 1.3, later.clearance.nearest->quantisation);
 }
 
 void TestPipeline::aFewLostFramesCostNothing() {
@@ -323,8 +323,8 @@ void TestPipeline::aSearchThatEndsBeforeCautionBeginsIsNeverClear() {
   QCOMPARE(text(result.level), text(measured ? WarningLevel::Caution : WarningLevel::NoDistance));
   QCOMPARE(text(result.clearance.reason), text(measured ? Reason::None : Reason::SearchTooShort));
   if (!measured) return;
-  QVERIFY(std::abs(result.clearance.nearest->distance - 1.3) <=
-          result.clearance.nearest->quantisation + 1e-9);
+  BW_COMPARE_NEAR(result.clearance.nearest->distance, 1.3,
+                  result.clearance.nearest->quantisation + 1e-9);
 }
 
 void TestPipeline::aFrameWithoutAnythingIsUnreadable() {
@@ -351,8 +351,8 @@ void TestPipeline::rays() {
   Pipeline pipeline;
   const Result result = runWall(pipeline, parameters, 5, 3.0F);
   QVERIFY(!result.clearance.rays.empty());
-  QVERIFY(std::abs(result.clearance.nearest->distance - 1.3) <=
-          result.clearance.nearest->quantisation + 1e-9);
+  BW_COMPARE_NEAR(result.clearance.nearest->distance, 1.3,
+                  result.clearance.nearest->quantisation + 1e-9);
 }
 
 BOOMWATCH_TEST(TestPipeline)

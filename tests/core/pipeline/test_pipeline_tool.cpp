@@ -3,6 +3,7 @@
 
 #include "frame/stereo_rig.h"
 #include "pipeline/pipeline.h"
+#include "support/compare_near.h"
 #include "support/fake_tracker.h"
 #include "support/flat_scene.h"
 #include "support/test_registry.h"
@@ -110,7 +111,7 @@ void TestPipelineTool::theToolIsTakenOutWhereItIsTracked() {
   QVERIFY(result.clearance.nearest);
   QVERIFY(!boomIsInModel(chain.pipeline));
   // The wall is what is nearest now: 0.9 m behind the load.
-  QVERIFY(std::abs(result.clearance.nearest->distance - 0.9) < 0.05);
+  BW_COMPARE_NEAR(result.clearance.nearest->distance, 0.9, 0.05);
 }
 
 void TestPipelineTool::withinTheLimitItIsTakenOutWhereItMustBe() {

@@ -3,6 +3,7 @@
 #include "lab/experiments/true_tool.h"
 #include "pipeline/pipeline.h"
 #include "simulation/yard/yard_source.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -44,7 +45,7 @@ class TestUnseenLoad : public QObject {
         QVERIFY(result.clearance.reason == Reason::NoModel);
       } else {
         QVERIFY(result.clearance.nearest);
-        QVERIFY(std::abs(result.clearance.nearest->distance - *frame->trueDistance) < 0.1);
+        BW_COMPARE_NEAR(result.clearance.nearest->distance, *frame->trueDistance, 0.1);
       }
     }
     QVERIFY(withheld);

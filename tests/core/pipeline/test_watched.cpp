@@ -5,6 +5,7 @@
 #include "pipeline/parameter_checks.h"
 #include "pipeline/pipeline.h"
 #include "support/collision_scenes.h"
+#include "support/compare_near.h"
 #include "support/flat_scene.h"
 #include "support/test_registry.h"
 
@@ -81,7 +82,7 @@ void TestWatched::cutsTheBoomWhereItBends() {
   for (const OrientedBox& box : boxes.boom) {
     QVERIFY(box.size.x() > 1.0);
     QVERIFY2(box.size.y() < 0.5 && box.size.z() < 0.5, qPrintable(QString::number(box.size.y())));
-    QVERIFY(std::abs(box.rotation.determinant() - 1.0) < 1e-9);
+    BW_COMPARE_NEAR(box.rotation.determinant(), 1.0, 1e-9);
   }
   QVERIFY(std::abs(boxes.boom[0].rotation.col(0).y()) > 0.95);
   QVERIFY(std::abs(boxes.boom[1].rotation.col(0).x()) > 0.95);
@@ -141,8 +142,7 @@ void TestWatched::measuresToolAndBoomBesideTheLoad() {
   for (const Watched& watched : result.watched) {
     const double z = watched.object == WatchedObject::Load ? 2.1 : 2.5;
     const Nearest& nearest = *watched.clearance.nearest;
-    QVERIFY2(std::abs(nearest.distance - (3.0 - z)) <= nearest.quantisation + 0.01,
-             qPrintable(QString::number(nearest.distance)));
+    BW_COMPARE_NEAR(nearest.distance, 3.0 - z, nearest.quantisation + 0.01);
   }
   QVERIFY(result.leading != 0);
   QCOMPARE(result.clearance.nearest->distance,
@@ -169,11 +169,11 @@ void TestWatched::sizesBelowTheSmallestThingDoNotCount() {
     return result;
   };
   const Result all = run(0.0);
-  QVERIFY(std::abs(all.clearance.nearest->distance - 0.9) < 0.05);
+  BW_COMPARE_NEAR(all.clearance.nearest->distance, 0.9, 0.05);
   QVERIFY(all.suppressed.empty());
   QVERIFY(all.clearance.evidence->confidence < 0.2);
   const Result large = run(0.2);
-  QVERIFY(std::abs(large.clearance.nearest->distance - 1.9) < 0.05);
+  BW_COMPARE_NEAR(large.clearance.nearest->distance, 1.9, 0.05);
   QVERIFY(!large.suppressed.empty());
   QVERIFY(large.clearance.evidence->confidence > 0.8);
 }
@@ -200,13 +200,13 @@ void TestWatched::aBoomThatIsNotToldFromTheWallTeachesNothingAtFirst() {
     return result;
   };
   const double before = run(8).clearance.nearest->distance;
-  QVERIFY(std::abs(before - 1.4) < 0.05);    // to the wall
+  BW_COMPARE_NEAR(before, 1.4, 0.05);        // to the wall
   parameters.filter.clusterTolerance = 1.0;  // rod and wall are one
   const Result touching = run(9);            // 0.45 s
   QVERIFY(touching.scene.toolMask == ToolMask::TooLarge);
   QCOMPARE(touching.clearance.nearest->distance, before);
   // For longer: then it is better to warn of the rod than not to learn what comes.
-  QVERIFY(std::abs(run(20).clearance.nearest->distance - 0.9) < 0.05);
+  BW_COMPARE_NEAR(run(20).clearance.nearest->distance, 0.9, 0.05);
 }
 
 // A leaf close to the camera is taken for the tool's point: for a moment the rod is not masked.
@@ -230,11 +230,11 @@ void TestWatched::aLeafBeforeTheToolTeachesNothingAtFirst() {
     return result;
   };
   const double before = run(8, false).clearance.nearest->distance;
-  QVERIFY(std::abs(before - 1.4) < 0.05);  // to the wall
-  const Result hidden = run(9, true);      // 0.45 s
+  BW_COMPARE_NEAR(before, 1.4, 0.05);  // to the wall
+  const Result hidden = run(9, true);  // 0.45 s
   QVERIFY(hidden.scene.toolMask == ToolMask::NothingThere);
   QCOMPARE(hidden.clearance.nearest->distance, before);
-  QVERIFY(std::abs(run(20, true).clearance.nearest->distance - 0.9) < 0.05);
+  BW_COMPARE_NEAR(run(20, true).clearance.nearest->distance, 0.9, 0.05);
 }
 
 BOOMWATCH_TEST(TestWatched)

@@ -9,6 +9,7 @@
 #include "simulation/scene.h"
 #include "simulation/scene_view.h"
 #include "support/camera_check.h"
+#include "support/compare_near.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -181,9 +182,9 @@ class TestDemoSource : public QObject {
     for (int k = 0; k < 20000; ++k) {
       const OrientedBox a = randomBox(), b = randomBox();
       const Vector3d gap = ((a.centre - b.centre).cwiseAbs() - (a.size + b.size) / 2).cwiseMax(0.0);
-      QVERIFY(std::abs(distance(a, b) - gap.norm()) < 2e-6);
+      BW_COMPARE_NEAR(distance(a, b), gap.norm(), 2e-6);
       const OrientedBox point{a.centre, Vector3d::Zero(), Eigen::Matrix3d::Identity()};
-      QVERIFY(std::abs(distance(point, cylinder) - cylinder.distanceTo(a.centre)) < 2e-6);
+      BW_COMPARE_NEAR(distance(point, cylinder), cylinder.distanceTo(a.centre), 2e-6);
     }
   }
 
@@ -223,10 +224,10 @@ class TestDemoSource : public QObject {
 
   void figure22HoldsForTheGeometry() {
     const Scene scene = cylindersScene();
-    QVERIFY(std::abs(distance(cylindersInFront(), scene) - 0.6) < 1e-5);
+    BW_COMPARE_NEAR(distance(cylindersInFront(), scene), 0.6, 1e-5);
     QCOMPARE(distance(cylindersInside(), scene), 0.0);
-    QVERIFY(std::abs(distance(cylindersPast(), scene) - 1.9) < 1e-5);
-    QVERIFY(std::abs(distance(cylindersPast(), scene.ground) - 1.9) < 1e-9);
+    BW_COMPARE_NEAR(distance(cylindersPast(), scene), 1.9, 1e-5);
+    BW_COMPARE_NEAR(distance(cylindersPast(), scene.ground), 1.9, 1e-9);
     for (const auto& cylinder : scene.cylinders) QVERIFY(distance(cylindersPast(), cylinder) > 2.0);
     // One line along z, as in the thesis.
     const Vector3d way = cylindersPast().centre - cylindersInFront().centre;
@@ -235,9 +236,9 @@ class TestDemoSource : public QObject {
 
   void figure22HoldsForWhatTheCameraSees() {
     const auto cloud = lookAt(cylindersScene()).cloud;
-    QVERIFY(std::abs(distanceToSeen(cylindersInFront(), *cloud).value() - 0.6) < 0.005);
+    BW_COMPARE_NEAR(distanceToSeen(cylindersInFront(), *cloud).value(), 0.6, 0.005);
     QCOMPARE(distanceToSeen(cylindersInside(), *cloud).value(), 0.0);
-    QVERIFY(std::abs(distanceToSeen(cylindersPast(), *cloud).value() - 1.9) < 0.005);
+    BW_COMPARE_NEAR(distanceToSeen(cylindersPast(), *cloud).value(), 1.9, 0.005);
   }
 
   void figure22HoldsForTheModel_data() {
@@ -249,9 +250,9 @@ class TestDemoSource : public QObject {
     const auto cloud = lookAt(cylindersScene()).cloud;
     const double level = 10.0 / 255.0;
     const double allowed = resolution + level;
-    QVERIFY(std::abs(modelDistance(*cloud, cylindersInFront(), resolution) - 0.6) < allowed);
+    BW_COMPARE_NEAR(modelDistance(*cloud, cylindersInFront(), resolution), 0.6, allowed);
     QCOMPARE(modelDistance(*cloud, cylindersInside(), resolution), 0.0);
-    QVERIFY(std::abs(modelDistance(*cloud, cylindersPast(), resolution) - 1.9) < allowed);
+    BW_COMPARE_NEAR(modelDistance(*cloud, cylindersPast(), resolution), 1.9, allowed);
   }
 
   void ofTheWallOnlyTheGableIsSeen() {
@@ -260,13 +261,14 @@ class TestDemoSource : public QObject {
     std::size_t gable = 0;
     for (const auto& p : cloud->points) {
       if (!isMeasured(p) || std::abs(scene.ground.heightOf(p.cast<double>())) < 1e-4) continue;
-      QVERIFY(std::abs(p.z() - 5.0F) < 1e-4F && std::abs(p.x()) < 0.1001F);
+      BW_COMPARE_NEAR(p.z(), 5.0F, 1e-4F);
+      BW_COMPARE_NEAR(p.x(), 0.0, 0.1001F);
       ++gable;
     }
     QVERIFY(gable > 5000);
     QCOMPARE(distance(wallInside(), scene), 0.0);
-    QVERIFY(std::abs(distanceToSeen(wallInside(), *cloud).value() - 0.7) < 0.005);
-    QVERIFY(std::abs(modelDistance(*cloud, wallInside(), 0.04) - 0.7) < 0.08);
+    BW_COMPARE_NEAR(distanceToSeen(wallInside(), *cloud).value(), 0.7, 0.005);
+    BW_COMPARE_NEAR(modelDistance(*cloud, wallInside(), 0.04), 0.7, 0.08);
   }
 
   void nothingSeenIsNoDistance() {
@@ -314,7 +316,7 @@ class TestDemoSource : public QObject {
       const Vector3d step = centres[(k + 1) % centres.size()] - centres[k];
       const int axis = int(k / 40);
       for (int other = 0; other < 3; ++other) {
-        if (other != axis) QVERIFY(std::abs(step[other]) < 1e-9);
+        if (other != axis) BW_COMPARE_NEAR(step[other], 0.0, 1e-9);
       }
       QVERIFY(step.norm() < 0.5);
     }

@@ -7,6 +7,7 @@
 #include "simulation/yard/yard_sensor.h"
 #include "simulation/yard/yard_source.h"
 #include "support/camera_check.h"
+#include "support/compare_near.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 #include "support/yard_frames.h"
@@ -123,11 +124,11 @@ class TestYardSource : public QObject {
         const double error = truth.depthTimesDisparity * (1.0 / double(p.z()) - 1.0 / z);
         squares += error * error;
         ++count;
-        QVERIFY(std::abs(double(p.z()) * 1000.0 - std::round(double(p.z()) * 1000.0)) < 0.01);
+        BW_COMPARE_NEAR(double(p.z()) * 1000.0, std::round(double(p.z()) * 1000.0), 0.01);
       }
     }
     const double deviation = std::sqrt(squares / count);
-    QVERIFY2(std::abs(deviation - 0.2) < 0.01, qPrintable(QString::number(deviation)));
+    BW_COMPARE_NEAR(deviation, 0.2, 0.01);
   }
 
   void noiseIsAsStrongAsItIsSaidToBe() {
@@ -138,8 +139,8 @@ class TestYardSource : public QObject {
     // Far from black and white, where noise is cut off.
     const cv::Mat difference = noisy - clean, middle = clean.reshape(1);
     cv::meanStdDev(difference.reshape(1), mean, deviation, (middle > 60) & (middle < 190));
-    QVERIFY2(std::abs(deviation[0] - 6.0) < 0.3, qPrintable(QString::number(deviation[0])));
-    QVERIFY(std::abs(mean[0]) < 0.1);
+    BW_COMPARE_NEAR(deviation[0], 6.0, 0.3);
+    BW_COMPARE_NEAR(mean[0], 0.0, 0.1);
     QVERIFY(!samePicture(taken("noise=6", 1), taken("noise=6", 2)));
   }
 

@@ -9,6 +9,7 @@
 #include "simulation/yard/crane_path.h"
 #include "simulation/yard/yard.h"
 #include "stereo/stereo_stage.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 #include "support/yard_frames.h"
 
@@ -91,7 +92,7 @@ class TestYardTruth : public QObject {
       double nearest = fclDistance(load, layout.ground);
       const std::vector<YardApproach> all = known.everything();
       QCOMPARE(all.size(), layout.fixed.size() + 1);
-      QVERIFY(std::abs(all[0].pair.distance - nearest) < 1e-3);
+      BW_COMPARE_NEAR(all[0].pair.distance, nearest, 1e-3);
       for (std::size_t k = 0; k < layout.fixed.size(); ++k) {
         // FCL's GJK loses digits far away, and what is far away is far away.
         if (all[k + 1].pair.distance > 6.0) continue;
@@ -104,7 +105,7 @@ class TestYardTruth : public QObject {
                                 .arg(wanted)));
         nearest = std::min(nearest, wanted);
       }
-      QVERIFY(std::abs(known.nearest.pair.distance - nearest) < 2e-3);
+      BW_COMPARE_NEAR(known.nearest.pair.distance, nearest, 2e-3);
       QCOMPARE(*shown.frame->trueDistance, known.nearest.pair.distance);
     }
   }
@@ -118,7 +119,7 @@ class TestYardTruth : public QObject {
       const YardFrame shown = shownAt(index);
       const YardTruth& known = *shown.truth;
       const ConvexPair& pair = known.nearest.pair;
-      QVERIFY(std::abs((pair.onA - pair.onB).norm() - pair.distance) < 1e-6);
+      BW_COMPARE_NEAR((pair.onA - pair.onB).norm(), pair.distance, 1e-6);
       OrientedBox load = known.load;
       QVERIFY((load.nearestTo(pair.onB) - pair.onA).norm() < 1e-3);
       load.size.array() += 1e-6;
@@ -141,7 +142,7 @@ class TestYardTruth : public QObject {
         const double z = double(known.depth.at<float>(v, u));
         const double d = double(disparity.at<float>(v, u));
         QCOMPARE(std::isnan(d), std::isnan(z));
-        if (std::isfinite(z)) QVERIFY(std::abs(d * z - scale) < 1e-4 * scale);
+        if (std::isfinite(z)) BW_COMPARE_NEAR(d * z, scale, 1e-4 * scale);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include "sources/cloud_source.h"
 #include "sources/file_sequence.h"
+#include "support/compare_near.h"
 #include "support/real_data.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -97,7 +98,7 @@ class TestCloudSource : public QObject {
     QFETCH(double, stamp);
     const auto got = stampFromName(stem.toStdString());
     QCOMPARE(got.has_value(), stamp >= 0.0);
-    if (got) QVERIFY(std::abs(*got - stamp) < 1e-5);
+    if (got) BW_COMPARE_NEAR(*got, stamp, 1e-5);
   }
 
   void stampsThatDoNotGrowAreNotBelieved() {
@@ -126,7 +127,7 @@ class TestCloudSource : public QObject {
         (folder + "/frame_20121214T142255.814212.pcd").toStdString(),
         (folder + "/frame_20121214T142256.068683.pcd").toStdString()};
     const auto stamps = stampsOf(grabs, 10.0);
-    QVERIFY(std::abs(stamps[1] - stamps[0] - 0.254471) < 1e-5);
+    BW_COMPARE_NEAR(stamps[1] - stamps[0], 0.254471, 1e-5);
     const auto source = openCloudSource(folder.toStdString(), "");
     QCOMPARE(source->info().frameCount, std::optional<std::size_t>(7));
     int coloured = 0;

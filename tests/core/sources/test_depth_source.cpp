@@ -3,6 +3,7 @@
 
 #include "sources/depth_source.h"
 #include "support/camera_check.h"
+#include "support/compare_near.h"
 #include "support/real_data.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -132,13 +133,13 @@ class TestDepthSource : public QObject {
     QCOMPARE(first->stamp, 1000.0);
     QCOMPARE(first->cloud->at(1, 1).z(), 1.0F);  // 5000 units a metre
     QCOMPARE(*first->cloud->camera, (PinholeCamera{4, 3, 525.0, 525.0, 319.5, 239.5}));
-    QVERIFY(std::abs(first->cloud->at(1, 1).x() - (1 - 319.5F) / 525.0F) < 1e-6F);
-    QVERIFY(std::abs(first->cloud->at(1, 1).y() - (1 - 239.5F) / 525.0F) < 1e-6F);
+    BW_COMPARE_NEAR(first->cloud->at(1, 1).x(), (1 - 319.5F) / 525.0F, 1e-6F);
+    BW_COMPARE_NEAR(first->cloud->at(1, 1).y(), (1 - 239.5F) / 525.0F, 1e-6F);
     const FramePtr second = source->next(patience).frame;
     QVERIFY(second->left.empty());  // 21 ms and 25 ms away
     QCOMPARE(second->cloud->at(1, 1).z(), 2.0F);
     QCOMPARE(source->next(patience).frame->left.at<cv::Vec3b>(0, 0)[0], uchar(2));
-    QVERIFY(std::abs(source->info().nominalRate - 10.0) < 1e-6);
+    BW_COMPARE_NEAR(source->info().nominalRate, 10.0, 1e-6);
   }
 
   void aFileBesideTumsListsReplacesItsIntrinsics() {

@@ -7,6 +7,7 @@
 #include "sources/cloud_file.h"
 #include "sources/frame_source.h"
 #include "support/build_paths.h"
+#include "support/compare_near.h"
 #include "support/real_data.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
@@ -63,7 +64,7 @@ void TestMapSource::betweenCellsItIsInterpolated() {
   // 10 m above the highest, 5: along the first row a slope of 1 in 2.
   for (int column = 25; column < 125; ++column) {
     const Eigen::Vector3f& p = cloud->at(column, 0);
-    QVERIFY(std::abs(p.z() - (15.0F - (2.0F + p.x() / 2.0F))) < 1e-4F);
+    BW_COMPARE_NEAR(p.z(), 15.0F - (2.0F + p.x() / 2.0F), 1e-4F);
   }
   QVERIFY(!isMeasured(cloud->at(120, 60)));
 }
@@ -96,7 +97,7 @@ void TestMapSource::isTheEnvironmentOfALoad() {
   }
   QVERIFY(result.clearance.nearest);
   const double error = result.clearance.nearest->distance - (10.0 - 6.15);
-  QVERIFY(std::abs(error) <= result.clearance.nearest->quantisation + 1e-4);
+  BW_COMPARE_NEAR(error, 0.0, result.clearance.nearest->quantisation + 1e-4);
 }
 
 void TestMapSource::refuses_data() {
@@ -173,7 +174,7 @@ void TestMapSource::terrainFromTheAir() {
       const Eigen::Vector3f& p = cloud->at(column, row);
       if (height < -9000) continue;
       if (!isMeasured(p)) continue;  // a neighbour is not known
-      QVERIFY(std::abs(static_cast<double>(p.z()) - (500.0 - height)) < 1e-2);
+      BW_COMPARE_NEAR(static_cast<double>(p.z()), 500.0 - height, 1e-2);
       ++compared;
     }
   }

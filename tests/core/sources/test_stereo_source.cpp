@@ -6,6 +6,7 @@
 
 #include "frame/stereo_rig.h"
 #include "sources/stereo_source.h"
+#include "support/compare_near.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -180,8 +181,8 @@ class TestStereoSource : public QObject {
     }
     writeCalibration();
     const auto named = open();
-    QVERIFY(std::abs(named->next(0ms).frame->stamp - 1403715273.262142976) < 1e-6);
-    QVERIFY(std::abs(named->info().nominalRate - 20) < 0.01);
+    BW_COMPARE_NEAR(named->next(0ms).frame->stamp, 1403715273.262142976, 1e-6);
+    BW_COMPARE_NEAR(named->info().nominalRate, 20, 0.01);
     writeText("timestamps.txt", "# seconds\n1.5\n 2.25 left right\n");
     const auto listed = open();
     QCOMPARE(listed->next(0ms).frame->stamp, 1.5);

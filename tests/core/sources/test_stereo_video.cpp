@@ -7,6 +7,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "sources/stereo_source.h"
+#include "support/compare_near.h"
 #include "support/temporary_file.h"
 #include "support/test_registry.h"
 
@@ -69,8 +70,8 @@ class TestStereoVideo : public QObject {
       QCOMPARE(read.status, Status::Ok);
       QCOMPARE(read.frame->stamp, i / 20.0);
       values.push_back(valueOf(read.frame->left));
-      QVERIFY(std::abs(values.back() - 10 * (i % 20)) <= 3);
-      QVERIFY(std::abs(valueOf(read.frame->right) - 10 * (i % 20) - 5) <= 3);
+      BW_COMPARE_NEAR(values.back(), 10 * (i % 20), 3);
+      BW_COMPARE_NEAR(valueOf(read.frame->right) - 10 * (i % 20), 5, 3);
     }
     QCOMPARE(source->next(0ms).status, Status::End);
     for (const std::size_t index : {0, 119, 1, 60, 59, 61, 100, 5, 118}) {

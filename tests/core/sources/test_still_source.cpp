@@ -5,6 +5,7 @@
 #include "open_source.h"
 #include "pipeline/pipeline.h"
 #include "sources/frame_source.h"
+#include "support/compare_near.h"
 #include "support/flat_scene.h"
 #include "support/test_registry.h"
 
@@ -53,8 +54,7 @@ void TestStillSource::aSingleCloudIsMeasured() {
   }
   QCOMPARE(frames, std::size_t{20});
   QVERIFY(result.clearance.nearest);
-  QVERIFY(std::abs(result.clearance.nearest->distance - 1.3) <=
-          result.clearance.nearest->quantisation);
+  BW_COMPARE_NEAR(result.clearance.nearest->distance, 1.3, result.clearance.nearest->quantisation);
 }
 
 void TestStillSource::itCanBeSoughtAndEnds() {

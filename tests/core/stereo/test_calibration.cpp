@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "stereo/calibration.h"
+#include "support/compare_near.h"
 #include "support/real_data.h"
 #include "support/test_registry.h"
 
@@ -302,7 +303,7 @@ class TestCalibration : public QObject {
     const QString path = sharedData(file);
     REQUIRE_DATA(path);
     const auto rig = readCalibration(path.toStdString());
-    QVERIFY(std::abs(rig.baseline() - baseline) < 1e-4);
+    BW_COMPARE_NEAR(rig.baseline(), baseline, 1e-4);
     QCOMPARE(rig.rectified, rectified);
   }
 

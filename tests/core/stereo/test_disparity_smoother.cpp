@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "stereo/disparity_smoother.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -59,7 +60,7 @@ void TestDisparitySmoother::runningMeanTakesOutNoise() {
   for (int frame = 0; frame < 200; ++frame) mean = smoother.overTime(noisy(25, 0.4F, random), 16);
   // The variance of an exponential mean with weight a is a / (2 - a) of one frame's.
   const double expected = 0.4 * std::sqrt((1.0 / 16) / (2.0 - 1.0 / 16));
-  QVERIFY(std::abs(deviationOf(mean) - expected) < 0.1 * expected);
+  BW_COMPARE_NEAR(deviationOf(mean), expected, 0.1 * expected);
 }
 
 void TestDisparitySmoother::whatIsNewIsSeenOnceItHasSettled() {
@@ -99,8 +100,8 @@ void TestDisparitySmoother::neighboursTakeOutNoiseButKeepEdges() {
   const cv::Mat smoothed = DisparitySmoother::overSpace(step, 15);
   QVERIFY(deviationOf(smoothed.colRange(0, 40)) < 0.08);
   for (int row = 0; row < step.rows; ++row) {
-    QVERIFY(std::abs(smoothed.at<float>(row, 39) - 20.0F) < 0.5F);
-    QVERIFY(std::abs(smoothed.at<float>(row, 40) - 40.0F) < 0.5F);
+    BW_COMPARE_NEAR(smoothed.at<float>(row, 39), 20.0F, 0.5F);
+    BW_COMPARE_NEAR(smoothed.at<float>(row, 40), 40.0F, 0.5F);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "stereo/stereo_stage.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 
 using namespace boomwatch;
@@ -145,10 +146,11 @@ class TestRowAlignment : public QObject {
 
   void aLongerFocalLengthIsFoundWhereTheRowsShowIt() {
     const cv::Matx33d longer = cv::Matx33d::diag({1.001, 1.001, 1.0}) * turned(0.08, 0.15);
-    QVERIFY(std::abs(fitRows(matchesWith(longer, 400, 0.25), camera)->focal - 1.001) < 2e-4);
+    BW_COMPARE_NEAR(fitRows(matchesWith(longer, 400, 0.25), camera)->focal, 1.001, 2e-4);
     // A narrow band of rows does not.
     const auto narrow = fitRows(matchesWith(longer, 400, 0.0, 225, 255), camera);
-    QVERIFY(narrow->worthwhile() && std::abs(narrow->focal - 1.0) < 2e-4);
+    QVERIFY(narrow->worthwhile());
+    BW_COMPARE_NEAR(narrow->focal, 1.0, 2e-4);
   }
 
   void aMisalignedPairIsSaidAndPutRight_data() { eachRig(); }

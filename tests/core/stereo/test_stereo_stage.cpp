@@ -274,7 +274,7 @@ class TestStereoMatcher : public QObject {
   void measuresNothingInAnImageSmallerThanTheSearch() {
     for (const cv::Size size :
          {cv::Size(1, 1), cv::Size(64, 48), cv::Size(69, 48), cv::Size(200, 3), cv::Size(3, 200)}) {
-      for (const auto matcher : {StereoMatcherKind::Sgbm, StereoMatcherKind::Bm}) {
+      for (const auto matcher : every<StereoMatcherKind>()) {
         StereoParameters p;
         p.matcher = matcher;
         const cv::Mat image = texture(size);

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "lab/evaluation/track_score.h"
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 #include "support/tracked_target.h"
 #include "tracking/cmt_tracker.h"
@@ -72,9 +73,9 @@ void TestCmtTracker::consensusOfKnownMotion() {
     QVERIFY(consensus);
     // A fifth of the points are wrong, and so 36 % of the pairs: the medians shift a little.
     const double share = astray ? 0.15 : 1e-9;
-    QVERIFY(std::abs(consensus->pose.scale / scale - 1.0) <= share);
+    BW_COMPARE_NEAR(consensus->pose.scale / scale, 1.0, share);
     const double off = std::remainder(consensus->pose.rotation - rotation, 2 * std::numbers::pi);
-    QVERIFY2(std::abs(off) <= share, qPrintable(QString::number(off)));
+    BW_COMPARE_NEAR(off, 0.0, share);
     QVERIFY(cv::norm(consensus->pose.centre - beginning) <= (astray ? 6.0 : 1e-6));
     const auto strays = std::count_if(consensus->points.begin(), consensus->points.end(),
                                       [](const KeypointPair& point) { return point.id % 5 == 0; });

@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 #include "support/tracked_target.h"
 #include "tracking/box_flow.h"
@@ -52,7 +53,7 @@ void TestMedianFlow::whatStandsStillIsToldApart() {
     const auto flow =
         medianFlow(greyAt(m_scene, centre), greyAt(m_scene, next), boxAt(centre), &cells);
     QVERIFY(flow);
-    QVERIFY(std::abs(flow->box.x - boxAt(next).x) < 1.0);
+    BW_COMPARE_NEAR(flow->box.x, boxAt(next).x, 1.0);
     centre = next;
   }
   const auto reliable = cells.reliable();

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 #include "tracking/tool_motion.h"
 
@@ -91,7 +92,7 @@ void TestToolMotion::goesOnAsItMovedWhileNothingIsMeasured() {
   for (int i = 1; i <= 9; ++i) {
     motion.update(3.0 + i / 20.0, std::nullopt, defaults);
     QVERIFY((*motion.point() - evenly(3.0 + i / 20.0)).norm() < 0.05F);
-    QVERIFY(std::abs(*motion.age() - i / 20.0) < 1e-9);
+    BW_COMPARE_NEAR(*motion.age(), i / 20.0, 1e-9);
   }
 }
 
@@ -99,7 +100,7 @@ void TestToolMotion::isForgottenBeyondTheAge() {
   ToolMotion motion = moved(3.0, 20.0);
   motion.update(3.51, std::nullopt, defaults);
   QVERIFY(!motion.point() && !motion.velocity());
-  QVERIFY(std::abs(*motion.age() - 0.51) < 1e-9);
+  BW_COMPARE_NEAR(*motion.age(), 0.51, 1e-9);
   // Wherever it comes back, it is taken for what it is.
   motion.update(3.6, Vector3f(3, 1, 5), defaults);
   QCOMPARE(*motion.point(), Vector3f(3, 1, 5));
@@ -172,7 +173,8 @@ void TestToolMotion::outliersOutOfReachContradict() {
     if (motion.believed()) accepted = stamp;
   }
   QCOMPARE(contradictions, 50);
-  QVERIFY(accepted && std::abs(*accepted - 6.05) < 0.06);
+  QVERIFY(accepted);
+  BW_COMPARE_NEAR(*accepted, 6.05, 0.06);
 }
 
 /// A maximal age of ten seconds does not make a leap of one frame credible.

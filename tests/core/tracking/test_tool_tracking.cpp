@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <stdexcept>
 
+#include "support/compare_near.h"
 #include "support/test_registry.h"
 #include "support/tool_stage.h"
 
@@ -185,7 +186,7 @@ void TestToolTracking::lostButNotForLong() {
   QCOMPARE(tool.confidence, 0.0);
   QVERIFY(!tool.lost());
   QVERIFY((*tool.point - *seen.point).norm() < 0.05F);
-  QVERIFY(std::abs(*tool.age - 0.4) < 1e-9);
+  BW_COMPARE_NEAR(*tool.age, 0.4, 1e-9);
 }
 
 void TestToolTracking::lostForLongerThanTheLimit() {
@@ -196,7 +197,7 @@ void TestToolTracking::lostForLongerThanTheLimit() {
   const ToolTrack tool = stage.frames(6);
   QVERIFY(tool.lost());
   QVERIFY(!tool.point && !tool.velocity);
-  QVERIFY(std::abs(*tool.age - 0.6) < 1e-9);
+  BW_COMPARE_NEAR(*tool.age, 0.6, 1e-9);
   stage.script->see = nullptr;
   QVERIFY(!stage.frame().lost());
 }
