@@ -103,8 +103,7 @@ class TestHeadlessTool : public QObject {
     row("no such tracker", {"--tracker", "goturn"}, "goturn");
     row("neither on nor off", {"--learn", "maybe"}, "--learn");
     row("no such model", {"--tracker-model", "/there/is/no.tool"}, "/there/is/no.tool");
-    row("a model that is none", {"--tracker-model", builtProgram("boomwatch")},
-        builtProgram("boomwatch"));
+    row("a model that is none", {"--tracker-model", builtProgram("boomwatch")}, "app/boomwatch");
     row("a model for klt", {"--tracker", "klt", "--tracker-model", "a.tool"}, "--tracker-model");
     row("klt saves none", {"--tracker", "klt", "--save-tracker-model", "a.tool"}, "tld");
     row("a box by hand", {"--tracker", "manual", "--track", "1,1,60,60"}, "--track");

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "include_arrows.h"
+#include "support/build_paths.h"
 #include "support/test_registry.h"
 
 namespace {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/build_paths.h"
+
 namespace boomwatch {
 
 /// How many pixels of two pictures of one size differ by more than smoothing of edges explains.

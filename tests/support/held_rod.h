@@ -19,7 +19,7 @@ struct HeldRod {
         patch(patchAround(cloud, nearSide(held).cast<float>(), 1.8, noise, 4.0)),
         frame(*CylinderFrame::facing(nearSide(held), held.axis, 0.2)),
         tool(frame.toLocal(nearSide(held))) {
-    const NearLine axis = NearLine::of(frame, {held.centre, held.axis});
+    const NearLine axis = NearLine::fromAxis(frame, {held.centre, held.axis});
     cylinder.ua = axis.ua, cylinder.ub = axis.ub;
     cylinder.x << axis.va, axis.vb, axis.qa, axis.qb, held.radius;
   }

@@ -80,7 +80,7 @@ void playInto(DistancePlot& plot) {
         hidden ? unknownBecause(Reason::NoLoad) : measuredAt(1.6 + 1.2 * std::sin(stamp / 6.0));
     auto frame = std::make_shared<Frame>();
     frame->stamp = stamp;
-    frame->truth.emplace().distance = 1.7 + 1.2 * std::sin(stamp / 6.0);
+    frame->trueDistance = 1.7 + 1.2 * std::sin(stamp / 6.0);
     result->frame = frame;
     plot.setDisplay(makeDisplay(result, {}));
   }

@@ -9,6 +9,7 @@
 
 using boomwatch::Bounds;
 using boomwatch::CellSurfaces;
+using boomwatch::every;
 using boomwatch::GridGeometry;
 using boomwatch::ModelProjection;
 using boomwatch::Points;

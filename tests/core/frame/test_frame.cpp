@@ -126,13 +126,13 @@ class TestFrame : public QObject {
   }
 
   void aCloudsPointsLieRowByRow() {
-    Cloud cloud{3, 2, Points(6, unmeasuredPoint())};
+    Cloud cloud{3, 2, Points(6, unmeasuredPoint()), {}, {}};
     cloud.points[4] = {1, 2, 3};
     QVERIFY(cloud.organised());
     QCOMPARE(cloud.at(1, 1), Eigen::Vector3f(1, 2, 3));
     QVERIFY(isMeasured(cloud.at(1, 1)) && !isMeasured(cloud.at(2, 1)));
     QVERIFY(!isMeasured({1, 2, std::numeric_limits<float>::infinity()}));
-    QVERIFY(!(Cloud{6, 1, {}}.organised()));
+    QVERIFY(!(Cloud{6, 1, {}, {}, {}}.organised()));
   }
 
   void namesAreDistinctAndOnlyNoReasonIsNameless() {

@@ -45,7 +45,7 @@ class TestCylinderEnds : public QObject {
 
   void aPlaceAlongTheAxisIsThatOfItsNearLine() {
     const ray_cast::HeldRod held(ray_cast::heldLog, ray_cast::beforeWall(ray_cast::heldLog));
-    const NearLine line = NearLine::of(held.cylinder);
+    const NearLine line = NearLine::fromCylinder(held.cylinder);
     for (const double u : {-0.2, 0.0, 0.1}) {
       const auto axis = held.cylinder.direction();
       const double expected = axis.dot(line.at(u) - held.cylinder.pointA());

@@ -71,7 +71,7 @@ class TestViewedCylinder : public QObject {
   }
 
   void theNearLineLiesARadiusBeforeTheAxis() {
-    const NearLine line = NearLine::of(across(5.0, 0.3));
+    const NearLine line = NearLine::fromCylinder(across(5.0, 0.3));
     QVERIFY((line.at(0.0) - Vector3d(4.7, 0.0, 0.0)).norm() < 1e-9);
     QVERIFY((line.direction() - Vector3d(0.0, 1.0, 0.0)).norm() < 1e-9);
   }

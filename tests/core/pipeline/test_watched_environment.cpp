@@ -19,7 +19,7 @@ OrientedBox boxAt(double z) {
 
 bool seeWall(WatchedEnvironment& environment, float z, const Parameters& parameters) {
   const auto cloud = wallCloud(z);
-  return environment.learn(*cloud, separateStatic(*cloud, {}, {}, parameters), parameters);
+  return environment.update(*cloud, separateStatic(*cloud, {}, {}, parameters), parameters);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ class TestWatchedEnvironment : public QObject {
     const Parameters parameters = smallParameters();
     WatchedEnvironment environment;
     for (int k = 0; k < 10; ++k) seeWall(environment, 4.0F, parameters);
-    const Clearance clearance = environment.around(boxAt(2.5), parameters);
+    const Clearance clearance = environment.clearanceOf(boxAt(2.5), parameters);
     QVERIFY(clearance.state == ClearanceState::Measured);
     QVERIFY(clearance.nearest);
     // 5 m have 255 levels of depth.
@@ -46,12 +46,12 @@ class TestWatchedEnvironment : public QObject {
     const int needed = *framesToEnter(parameters.model);
     WatchedEnvironment environment;
     for (int k = 0; k < needed; ++k) {
-      const Clearance clearance = environment.around(boxAt(2.5), parameters);
+      const Clearance clearance = environment.clearanceOf(boxAt(2.5), parameters);
       QVERIFY(clearance.state == ClearanceState::Unknown);
       QVERIFY(clearance.reason == Reason::NoModel);
       seeWall(environment, 4.0F, parameters);
     }
-    QVERIFY(environment.around(boxAt(2.5), parameters).reason != Reason::NoModel);
+    QVERIFY(environment.clearanceOf(boxAt(2.5), parameters).reason != Reason::NoModel);
   }
 
   void aModelBeginsAnewWhenItIsForgottenOrChangesItsSize() {
@@ -74,7 +74,7 @@ class TestWatchedEnvironment : public QObject {
     for (int k = 0; k < 10; ++k) seeWall(environment, 4.0F, parameters);
     OrientedBox box = boxAt(2.5);
     box.centre.x() = 15.0;
-    QVERIFY(environment.around(box, parameters).reason == Reason::NothingObserved);
+    QVERIFY(environment.clearanceOf(box, parameters).reason == Reason::NothingObserved);
   }
 };
 

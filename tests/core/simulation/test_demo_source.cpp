@@ -272,7 +272,7 @@ class TestDemoSource : public QObject {
   }
 
   void nothingSeenIsNoDistance() {
-    const Cloud cloud{1, 1, {unmeasuredPoint()}};
+    const Cloud cloud{1, 1, {unmeasuredPoint()}, {}, {}};
     QVERIFY(!distanceToSeen(wallInside(), cloud));
   }
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "stereo/stereo_stage.h"
 #include "support/camera_check.h"
+#include "support/enumerators.h"
 #include "support/real_data.h"
 #include "support/test_registry.h"
 
