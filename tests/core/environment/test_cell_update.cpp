@@ -44,7 +44,7 @@ EnvironmentModel seenForLong(const ModelParameters& parameters) {
   return model;
 }
 
-/// The rules one cell at a time, in doubles, as method.md and Bayes' rule have them.
+/// The rules one cell at a time, in doubles, as docs/method.md and Bayes' rule have them.
 class PlainCell {
  public:
   explicit PlainCell(const ModelParameters& parameters) : m_parameters(parameters) {}

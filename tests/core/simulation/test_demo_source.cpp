@@ -91,7 +91,8 @@ double bruteForce(const OrientedBox& load, const Solid& solid) {
   return refined(load, solid, start);
 }
 
-/// The clearance that the thesis's model can know (method.md section 6): the nearest level a cell.
+/// The clearance that the thesis's model can know (docs/method.md section 6): the nearest level a
+/// cell.
 double modelDistance(const Cloud& cloud, const OrientedBox& load, double resolution) {
   const GridGeometry grid(Bounds{}, resolution);
   std::vector<int> levels(grid.cellCount(), 256);
