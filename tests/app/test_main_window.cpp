@@ -184,7 +184,7 @@ class TestMainWindow : public QObject {
     Worker worker(parameters, opening(script));
     MainWindow window(parameters, &worker);
     window.openSource("fake");
-    QTRY_VERIFY(window.panes().status->validityText().contains("no distance: No picture"));
+    QTRY_VERIFY(window.panes().status->validityText().contains("no distance: No frames arrive"));
     QVERIFY(!window.panes().bar->fill().has_value());
     gate->set_value();
     QTRY_VERIFY(window.panes().bar->fill().has_value());

@@ -114,7 +114,7 @@ class TestChart : public QObject {
       (qGray(hatched.pixel(p)) > 230 ? light : dark) += 1;
       darkBefore += qGray(before.pixel(p)) > 230 ? 0 : 1;
     }
-    QCOMPARE(darkBefore, 0);
+    QVERIFY2(darkBefore <= 2, "more than a line of the grid");
     QVERIFY(light > 10 && dark > 10);
   }
 
