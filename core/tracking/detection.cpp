@@ -58,8 +58,8 @@ void scanLevel(const ScanLevels& levels, int index, const ToolClassifier& tool,
         if (!variance.passes(corner)) continue;
         if (!isRead) scan.read(row, first, codes);
         isRead = true;
-        const float share =
-            tool.ferns().toolShare(codes[static_cast<std::size_t>(window - first)], tuning.fernThreshold);
+        const float share = tool.ferns().toolShare(codes[static_cast<std::size_t>(window - first)],
+                                                   tuning.fernThreshold);
         if (share < tuning.fernThreshold) continue;
         const ScanWindow place{index, corner};
         found.push_back({levels.boxOf(place), place, share, {}});
