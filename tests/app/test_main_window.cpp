@@ -182,10 +182,13 @@ class TestMainWindow : public QObject {
       return {ReadResult::Status::Ok, test::wallFrame(i, 0.1 * static_cast<double>(i)), {}, 0};
     };
     Worker worker(parameters, opening(script));
+    // Also when a check fails: the worker's destructor waits for its thread.
+    auto release = qScopeGuard([gate] { gate->set_value(); });
     MainWindow window(parameters, &worker);
     window.openSource("fake");
     QTRY_VERIFY(window.panes().status->validityText().contains("no distance: No frames arrive"));
     QVERIFY(!window.panes().bar->fill().has_value());
+    release.dismiss();
     gate->set_value();
     QTRY_VERIFY(window.panes().bar->fill().has_value());
   }
