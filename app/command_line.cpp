@@ -42,14 +42,15 @@ void failIfMoved(const QString& word, const std::string& asGiven) {
 }
 
 std::vector<ProgramOption> sourceOptions() {
-  return {{"source", "ADDRESS",
-           "What to open: stereo:PATH, cloud:PATH, depth:PATH, map:FILE, camera:LEFT,RIGHT, "
-           "demo:yard, demo:floor, demo:cylinders or demo:wall"},
-          {"calibration", "FILE", "Stereo calibration, when it does not lie with the recording"},
-          {"headless", "", "Run without a window; one JSON line a frame"},
-          framesOption(),
-          {"output", "FILE", "Where the JSON lines go; - is standard output"},
-          {"screenshot", "FILE", "Save the whole window as PNG after the last frame"}};
+  return {
+      {"source", "ADDRESS",
+       "What to open: stereo:PATH, cloud:PATH, depth:PATH, bag:PATH, map:FILE, camera:LEFT,RIGHT, "
+       "demo:yard, demo:floor, demo:cylinders or demo:wall"},
+      {"calibration", "FILE", "Stereo calibration, when it does not lie with the recording"},
+      {"headless", "", "Run without a window; one JSON line a frame"},
+      framesOption(),
+      {"output", "FILE", "Where the JSON lines go; - is standard output"},
+      {"screenshot", "FILE", "Save the whole window as PNG after the last frame"}};
 }
 
 std::vector<ProgramOption> toolOptions() {

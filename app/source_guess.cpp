@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "sources/bag/joined_bag.h"
 #include "sources/stereo_files.h"
 
 namespace boomwatch {
@@ -17,11 +18,7 @@ bool isCloud(const QString& name) {
   return clouds.match(name).hasMatch();
 }
 
-bool isBag(const QString& name) {
-  static const QRegularExpression bags(QStringLiteral("\\.(bag|mcap)$"),
-                                       QRegularExpression::CaseInsensitiveOption);
-  return bags.match(name).hasMatch();
-}
+bool isBag(const QString& name) { return isBagFile(name.toStdString()); }
 
 bool isDepth(const QString& name) {
   static const QRegularExpression depths(QStringLiteral("^(depth|depth\\.txt|.*_depth\\.png)$"),
@@ -35,6 +32,8 @@ std::optional<QString> guessFolder(const QString& path) {
   if (std::any_of(names.begin(), names.end(), isDepth)) return QStringLiteral("depth:") + path;
   if (holdsStereoPair(path.toStdString())) return QStringLiteral("stereo:") + path;
   if (std::any_of(names.begin(), names.end(), isCloud)) return QStringLiteral("cloud:") + path;
+  // ROS 2 writes a folder for each recording.
+  if (std::any_of(names.begin(), names.end(), isBag)) return QStringLiteral("bag:") + path;
   return std::nullopt;
 }
 
@@ -48,8 +47,8 @@ std::optional<QString> guessAddress(const QString& path) {
     return QStringLiteral("map:") + info.absoluteFilePath();
   }
   if (isCloud(info.fileName())) return QStringLiteral("cloud:") + info.absoluteFilePath();
-  // A bag is a recording of its own, whatever lies beside it, and cannot be opened.
-  if (isBag(info.fileName())) return std::nullopt;
+  // A bag is a recording of its own, whatever lies beside it.
+  if (isBag(info.fileName())) return QStringLiteral("bag:") + info.absoluteFilePath();
   // One picture, video or list out of a recording stands for the recording.
   return guessFolder(info.absolutePath());
 }

@@ -52,6 +52,7 @@ void fillSourceMenu(WindowMenus& menus, QMainWindow* window) {
   window->addAction(stereo);
   kind(Menus::tr("&Point clouds..."), SourceKind::Cloud);
   kind(Menus::tr("&Depth recording..."), SourceKind::Depth);
+  kind(Menus::tr("&Bag..."), SourceKind::Bag);
   kind(Menus::tr("&Map..."), SourceKind::Map);
   kind(Menus::tr("&Camera..."), SourceKind::Camera);
   menus.source->addSeparator();

@@ -4,6 +4,10 @@
 <context>
     <name>Menus</name>
     <message>
+        <source>&amp;Bag...</source>
+        <translation>&amp;Bag...</translation>
+    </message>
+    <message>
         <source>&amp;Source</source>
         <translation>&amp;Quelle</translation>
     </message>
@@ -1768,6 +1772,18 @@ Werkzeug entfernen: Rechtsklick oder Escape.</translation>
 </context>
 <context>
     <name>boomwatch::SourceDialog</name>
+    <message>
+        <source>A .bag, .mcap or .db3 file, or ROS 2&apos;s folder of them</source>
+        <translation>Eine Datei .bag, .mcap oder .db3, oder der Ordner von ROS 2</translation>
+    </message>
+    <message>
+        <source>Bag (ROS, Foxglove)</source>
+        <translation>Bag (ROS, Foxglove)</translation>
+    </message>
+    <message>
+        <source>Bags (*.bag *.mcap *.db3)</source>
+        <translation>Bags (*.bag *.mcap *.db3)</translation>
+    </message>
     <message>
         <source>A folder with left and right pictures or videos</source>
         <translation>Ein Ordner mit linken und rechten Bildern oder Videos</translation>

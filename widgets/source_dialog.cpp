@@ -20,6 +20,8 @@ QString prefixOf(SourceKind kind) {
       return QStringLiteral("cloud:");
     case SourceKind::Depth:
       return QStringLiteral("depth:");
+    case SourceKind::Bag:
+      return QStringLiteral("bag:");
     case SourceKind::Map:
       return QStringLiteral("map:");
     case SourceKind::Camera:
@@ -36,6 +38,8 @@ QString hintOf(SourceKind kind) {
       return SourceDialog::tr("A PCD or PLY file, or a folder of them");
     case SourceKind::Depth:
       return SourceDialog::tr("A folder with colour and depth pictures");
+    case SourceKind::Bag:
+      return SourceDialog::tr("A .bag, .mcap or .db3 file, or ROS 2's folder of them");
     case SourceKind::Map:
       return SourceDialog::tr("A height or depth map: an ASCII grid, or its YAML file");
     case SourceKind::Camera:
@@ -56,8 +60,8 @@ SourceDialog::SourceDialog(SourceKind kind, QWidget* parent)
       m_calibrationFile(new QPushButton(tr("File..."))),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Open a source"));
-  m_kind->addItems(
-      {tr("Stereo recording"), tr("Point clouds"), tr("Depth recording"), tr("Map"), tr("Camera")});
+  m_kind->addItems({tr("Stereo recording"), tr("Point clouds"), tr("Depth recording"),
+                    tr("Bag (ROS, Foxglove)"), tr("Map"), tr("Camera")});
   m_kind->setCurrentIndex(static_cast<int>(kind));
   layOut();
   wire();
@@ -100,13 +104,14 @@ SourceKind SourceDialog::kind() const { return static_cast<SourceKind>(m_kind->c
 
 void SourceDialog::adapt() {
   const bool camera = kind() == SourceKind::Camera;
-  const bool stereo = camera || kind() == SourceKind::Stereo;
+  const bool bag = kind() == SourceKind::Bag;
+  const bool calibrated = camera || bag || kind() == SourceKind::Stereo;
   m_path->setPlaceholderText(hintOf(kind()));
   const bool map = kind() == SourceKind::Map;
   m_folder->setEnabled(!camera && !map);
-  m_file->setEnabled(map || kind() == SourceKind::Cloud);
-  m_calibration->setEnabled(stereo);
-  m_calibrationFile->setEnabled(stereo);
+  m_file->setEnabled(map || bag || kind() == SourceKind::Cloud);
+  m_calibration->setEnabled(calibrated);
+  m_calibrationFile->setEnabled(calibrated);
   m_buttons->button(QDialogButtonBox::Open)->setEnabled(!address().isEmpty());
 }
 
@@ -125,10 +130,10 @@ void SourceDialog::browseFolder() {
 }
 
 void SourceDialog::browseFile() {
-  const bool map = kind() == SourceKind::Map;
-  const QString chosen = QFileDialog::getOpenFileName(
-      this, windowTitle(), m_path->text(),
-      map ? tr("Maps (*.asc *.yaml *.yml)") : tr("Point clouds (*.pcd *.ply)"));
+  const QString files = kind() == SourceKind::Map   ? tr("Maps (*.asc *.yaml *.yml)")
+                        : kind() == SourceKind::Bag ? tr("Bags (*.bag *.mcap *.db3)")
+                                                    : tr("Point clouds (*.pcd *.ply)");
+  const QString chosen = QFileDialog::getOpenFileName(this, windowTitle(), m_path->text(), files);
   if (!chosen.isEmpty()) m_path->setText(chosen);
 }
 

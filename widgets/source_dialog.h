@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace boomwatch {
 
-enum class SourceKind { Stereo, Cloud, Depth, Map, Camera };
+enum class SourceKind { Stereo, Cloud, Depth, Bag, Map, Camera };
 
 /// Asks for a source: its kind, where it is, and its calibration. GUI thread.
 class SourceDialog : public QDialog {

@@ -106,7 +106,7 @@ bool acceptable(const WideSize& size) {
          static_cast<double>(size.width) * static_cast<double>(size.height) <= maxImage;
 }
 
-cv::Mat decode(const std::string& bytes, PixelDepth depth) {
+cv::Mat decode(std::string_view bytes, PixelDepth depth) {
   const int flags = depth == PixelDepth::AsStored
                         ? cv::IMREAD_UNCHANGED
                         : cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION;
@@ -155,6 +155,13 @@ cv::Mat readImage(const fs::path& file, PixelDepth depth) {
   cv::Mat image = decode(bytes, depth);
   if (image.empty()) throw Error(where, "the picture is damaged", "Copy it again.");
   return image;
+}
+
+cv::Mat decodeImage(std::string_view bytes, PixelDepth depth) {
+  const auto size = claimedSize(bytes);
+  const bool isCut = bytes.starts_with(jpegSignature) && !endsLikeAJpeg(bytes);
+  if (!size || !acceptable(*size) || isCut || bytes.size() > maxFile) return {};
+  return decode(bytes, depth);
 }
 
 }  // namespace boomwatch

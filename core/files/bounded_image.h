@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <string_view>
 
 namespace boomwatch {
 
@@ -26,5 +27,8 @@ std::optional<cv::Size> imageSize(const std::filesystem::path& file);
 /// is looked at first. Orientation tags are ignored: a calibration belongs to pixels as stored.
 /// Throws Error naming the file when it cannot be read. Any thread.
 cv::Mat readImage(const std::filesystem::path& file, PixelDepth depth = PixelDepth::EightBit);
+
+/// As readImage, of a picture in memory; empty when it cannot be read. Never throws. Any thread.
+cv::Mat decodeImage(std::string_view bytes, PixelDepth depth = PixelDepth::EightBit);
 
 }  // namespace boomwatch

@@ -243,6 +243,7 @@ class TestMainWindow : public QObject {
     QTest::newRow("aloe") << QStringList{"aloeL.jpg", "aloeR.jpg"} << "stereo:";
     QTest::newRow("TUM") << QStringList{"rgb.txt", "depth.txt", "rgb/", "depth/"} << "depth:";
     QTest::newRow("Kinect") << QStringList{"000.jpg", "000_depth.png"} << "depth:";
+    QTest::newRow("ROS 2") << QStringList{"run_0.db3", "metadata.yaml"} << "bag:";
     QTest::newRow("view") << QStringList{"view1.png", "view5.png"} << "stereo:";
     QTest::newRow("calibrations") << QStringList{"left.yml", "right.yml"} << "";
     QTest::newRow("one side alone") << QStringList{"left.mp4"} << "";
@@ -272,6 +273,9 @@ class TestMainWindow : public QObject {
       QVERIFY(file.open(QIODevice::WriteOnly));
     }
     QCOMPARE(*guessAddress(folder.filePath("a.pcd")), "cloud:" + folder.filePath("a.pcd"));
+    QFile bag(folder.filePath("b.mcap"));
+    QVERIFY(bag.open(QIODevice::WriteOnly));
+    QCOMPARE(*guessAddress(bag.fileName()), "bag:" + bag.fileName());
     QCOMPARE(*guessAddress(folder.filePath("left.png")), "stereo:" + folder.path());
     QVERIFY(!guessAddress(folder.filePath("missing")));
   }
