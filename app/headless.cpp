@@ -60,6 +60,9 @@ class HeadlessRun {
     if (!line.trackerModels.empty())
       m_pipeline.order(TrackModel{loadToolModels(line.trackerModels)});
     for (const ParameterWarning& warning : warningsFor(line.parameters)) complain(warning.message);
+    if (const SourceInfo info = m_source->info(); !info.note.empty()) {
+      complain(info.address + ": " + info.note);
+    }
   }
 
   HeadlessOutcome run() {

@@ -164,6 +164,8 @@ void MainWindow::showStatus(const SourceStatus& status) {
 
 QString MainWindow::sentenceOf(const Notice& notice) {
   switch (notice.kind) {
+    case Notice::Kind::Source:
+      return tr("Opened. %1").arg(notice.text);
     case Notice::Kind::OpenFailed:
       return tr("Not opened: %1").arg(notice.text);
     case Notice::Kind::Lost:
@@ -188,7 +190,9 @@ QString MainWindow::sentenceOf(const Notice& notice) {
 
 void MainWindow::showNotice(const Notice& notice) {
   const QString sentence = sentenceOf(notice);
-  if (notice.kind == Notice::Kind::RowsCorrected) {  // the run is none the worse
+  const bool isNoFault =
+      notice.kind == Notice::Kind::RowsCorrected || notice.kind == Notice::Kind::Source;
+  if (isNoFault) {
     m_panes.state->showNotice(sentence);
     return;
   }

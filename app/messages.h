@@ -72,6 +72,7 @@ struct SourceStatus {
 /// Something to tell the person.
 struct Notice {
   enum class Kind {
+    Source,         ///< what to know of the source that was opened; no fault
     OpenFailed,     ///< the source named could not be opened; the old one goes on
     Frame,          ///< one frame could not be used
     Lost,           ///< a live source is gone

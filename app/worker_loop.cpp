@@ -167,6 +167,9 @@ void WorkerLoop::startPlaying(std::unique_ptr<FrameSource> source) {
   m_last.reset();
   m_stalled = false;
   m_rowsTold = false;
+  if (const SourceInfo& info = m_player->info(); !info.note.empty()) {
+    tell(Notice::Kind::Source, info.note);
+  }
   obey(PlayCommand{});
 }
 

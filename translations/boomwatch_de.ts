@@ -1516,6 +1516,10 @@ Werkzeug entfernen: Rechtsklick oder Escape.</translation>
 <context>
     <name>boomwatch::MainWindow</name>
     <message>
+        <source>Opened. %1</source>
+        <translation>Geöffnet. %1</translation>
+    </message>
+    <message>
         <source>Boomwatch</source>
         <translation>Boomwatch</translation>
     </message>

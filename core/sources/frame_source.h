@@ -15,6 +15,8 @@ struct SourceInfo {
   std::optional<std::size_t> frameCount;  ///< absent when it has no end (live)
   double nominalRate = 0.0;               ///< frames a second; 0 if it has none of its own
   bool live = false;                      ///< cannot seek or wait; frames may be lost
+  /// English: what a person should know of the recording that is no fault; empty if nothing.
+  std::string note = {};
 };
 
 /// The outcome of one read. Faults of single frames are values: the source goes on after them.

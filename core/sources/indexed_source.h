@@ -26,6 +26,11 @@ class IndexedSource : public FrameSource {
   IndexedSource(std::string address, std::size_t frames, double rate)
       : m_info{std::move(address), frames, rate, false} {}
 
+  /// Adds a sentence to what info() says.
+  void note(const std::string& sentence) {
+    m_info.note += (m_info.note.empty() ? "" : " ") + sentence;
+  }
+
   /// Frame `index`, below the count: Ok or Bad, or End where the recording holds less than it
   /// promised.
   virtual ReadResult read(std::size_t index) = 0;

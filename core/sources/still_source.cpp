@@ -10,8 +10,10 @@ class StillSource : public IndexedSource {
   static constexpr std::size_t repeats = 20;
   static constexpr double rate = 10.0;  // Hz
 
-  StillSource(const std::string& address, FramePtr frame)
-      : IndexedSource(address, repeats, rate), m_frame(std::move(frame)) {}
+  StillSource(const SourceInfo& of, FramePtr frame)
+      : IndexedSource(of.address, repeats, rate), m_frame(std::move(frame)) {
+    if (!of.note.empty()) note(of.note);
+  }
 
  private:
   ReadResult read(std::size_t index) override {
@@ -32,7 +34,7 @@ std::unique_ptr<FrameSource> repeatIfStill(std::unique_ptr<FrameSource> source) 
   if (info.live || info.frameCount != 1U) return source;
   ReadResult only = source->next(std::chrono::milliseconds(0));
   if (only.status == ReadResult::Status::Ok) {
-    return std::make_unique<StillSource>(info.address, std::move(only.frame));
+    return std::make_unique<StillSource>(info, std::move(only.frame));
   }
   source->seek(0);  // so that whoever reads it is told what is wrong, once
   return source;

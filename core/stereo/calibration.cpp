@@ -80,15 +80,6 @@ void checkBaseline(const std::string& where, const StereoRig& rig) {
   }
 }
 
-void checkRig(const std::string& where, const StereoRig& rig) {
-  checkCamera(where, "the left camera's matrix (M1, P0, cam0)", rig.leftMatrix);
-  checkCamera(where, "the right camera's matrix (M2, P1, cam1)", rig.rightMatrix);
-  checkDistortion(where, "D1", rig.leftDistortion);
-  checkDistortion(where, "D2", rig.rightDistortion);
-  checkRotation(where, rig.rotation);
-  checkBaseline(where, rig);
-}
-
 // An OpenCV file of a pair that needs no rectification: remapping would only blur it.
 bool isRectified(const StereoRig& rig) {
   const auto& l = rig.leftMatrix;
@@ -111,6 +102,15 @@ StereoRig parse(const fs::path& file, const std::string& text, CameraPair pair) 
 }
 
 }  // namespace
+
+void checkRig(const std::string& where, const StereoRig& rig) {
+  checkCamera(where, "the left camera's matrix (M1, P0, cam0)", rig.leftMatrix);
+  checkCamera(where, "the right camera's matrix (M2, P1, cam1)", rig.rightMatrix);
+  checkDistortion(where, "D1", rig.leftDistortion);
+  checkDistortion(where, "D2", rig.rightDistortion);
+  checkRotation(where, rig.rotation);
+  checkBaseline(where, rig);
+}
 
 std::string readCalibrationText(const fs::path& file) {
   const std::string text = readFileBytes(file, maxFile);

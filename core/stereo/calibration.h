@@ -19,6 +19,10 @@ enum class CameraPair { First, Second };
 /// Throws Error naming the file and the key: missing, zero focal length, swapped baseline, ...
 StereoRig readCalibration(const std::filesystem::path& file, CameraPair pair = CameraPair::First);
 
+/// Throws Error naming `where` and what no rig can have: a focal length of 0, a baseline in
+/// millimetres or from right to left, a matrix that does not rotate, ...
+void checkRig(const std::string& where, const StereoRig& rig);
+
 /// The calibration that lies in `folder`, by its usual names; absent if there is none.
 std::optional<std::filesystem::path> findCalibration(const std::filesystem::path& folder);
 

@@ -85,6 +85,7 @@ def cloud():
     for k in range(FRAMES):
         message = PointCloud2(height=3, width=4, point_step=28, row_step=28 * 4 + 8)
         message.header.stamp = stamp(k)
+        message.header.frame_id = "velodyne"
         message.fields = [PointField("z", 0, 7, 1), PointField("y", 8, 8, 1),
                           PointField("rgb", 20, 7, 1), PointField("x", 16, 7, 1)]
         row = lambda y: b"".join(struct.pack("<f4xdf8x", 2.0 + k, 0.5 * y, 0.25 * x)
@@ -98,6 +99,33 @@ def several():
     yield from cloud()
 
 
+def with_cameras(change):
+    """A stereo pair whose camera_info `change` has altered."""
+    for topic, when, message in stereo():
+        if message._type == "sensor_msgs/CameraInfo":
+            change(message)
+        yield topic, when, message
+
+
+def fisheye():
+    return with_cameras(lambda info: setattr(info, "distortion_model", "equidistant"))
+
+
+def straight():
+    """No coefficients at all, as ROS writes of pictures that are rectified already."""
+    return with_cameras(lambda info: setattr(info, "D", []))
+
+
+def focusless():
+    return with_cameras(lambda info: setattr(info, "K", [0.0] * 9))
+
+
+def direct():
+    """A name that "rect" is a part of, but not a word."""
+    for topic, when, message in stereo():
+        yield "/direct" + topic, when, message
+
+
 def silent():
     """Stamps that nobody set: the time of recording counts."""
     for topic, when, message in stereo():
@@ -106,7 +134,8 @@ def silent():
 
 
 CONTENTS = {"stereo": stereo, "depth": depth, "floats": floats, "realsense": realsense,
-            "cloud": cloud, "several": several, "silent": silent}
+            "cloud": cloud, "several": several, "silent": silent,
+            "fisheye": fisheye, "straight": straight, "focusless": focusless, "direct": direct}
 
 
 class Cdr:

@@ -1,11 +1,12 @@
 #include "sources/bag/bag_camera.h"
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/size_text.h"
 #include "sources/bag/message_reader.h"
+#include "stereo/calibration.h"
 
 namespace boomwatch {
 namespace {
@@ -42,6 +43,20 @@ std::optional<BagCamera> decodeJson(std::string_view bytes) {
                     message.at("height").get<std::uint32_t>(),
                     message.at("distortion_model").get<std::string>(), numbersIn(message, "D"),
                     numbersIn(message, "K"), numbersIn(message, "R"), numbersIn(message, "P"));
+}
+
+// Another lens' coefficients would be taken for what they are not.
+void requirePinhole(const std::string& where, const BagCamera& camera) {
+  const std::string& model = camera.model;
+  if (model.empty() || model == "plumb_bob" || model == "rational_polynomial") return;
+  throw Error(where, "the lens model '" + model + "' is not read",
+              "Record rectified pictures, of plumb_bob or rational_polynomial cameras.");
+}
+
+// One row; empty where no coefficient is set.
+cv::Mat rowOf(const std::vector<double>& coefficients) {
+  const bool bends = std::ranges::any_of(coefficients, [](double c) { return c != 0.0; });
+  return bends ? cv::Mat(coefficients, true).reshape(1, 1) : cv::Mat();
 }
 
 }  // namespace
@@ -85,7 +100,7 @@ PinholeCamera pinholeOf(const BagCamera& camera, bool rectified) {
 StereoRig rigOf(const std::string& where, const BagCamera& left, const BagCamera& right,
                 bool rectified) {
   const cv::Matx34d &p1 = left.projection, &p2 = right.projection;
-  if (p1(0, 0) <= 0 || p2(0, 0) <= 0) {
+  if (!(p1(0, 0) > 0) || !(p2(0, 0) > 0)) {
     throw Error(where, "the camera_info of this pair has no projection matrix P",
                 "Calibrate the pair, and give the file with --calibration.");
   }
@@ -95,35 +110,33 @@ StereoRig rigOf(const std::string& where, const BagCamera& left, const BagCamera
                     sizeText(right.size),
                 "Choose two topics of one pair.");
   }
-  for (const BagCamera* camera : {&left, &right}) {
-    const std::string& model = camera->model;
-    if (rectified || model.empty() || model == "plumb_bob" || model == "rational_polynomial")
-      continue;
-    throw Error(where, "the lens model '" + model + "' is not read", "Record rectified pictures.");
-  }
-  const double shift = (p2(0, 3) - p1(0, 3)) / p2(0, 0);
-  constexpr double maxBaseline = 1.0;
-  if (!(shift < 0) || !(shift > -maxBaseline)) {
-    throw Error(where, "the camera_info gives a baseline of " + std::to_string(-shift) + " m",
-                "Left and right are swapped where it is negative: give bag:FILE,left=...,right=... "
-                "Otherwise P must be in metres.");
-  }
   StereoRig rig;
   rig.imageSize = left.size;
   rig.rectified = rectified;
+  const cv::Vec3d shift((p2(0, 3) - p1(0, 3)) / p2(0, 0), 0, 0);
   if (rectified) {
     rig.leftMatrix = p1.get_minor<3, 3>(0, 0);
     rig.rightMatrix = p2.get_minor<3, 3>(0, 0);
-    rig.translation = {shift, 0, 0};
-    return rig;
+    rig.translation = shift;
+  } else {
+    requirePinhole(where, left);
+    requirePinhole(where, right);
+    rig.leftMatrix = left.matrix;
+    rig.rightMatrix = right.matrix;
+    rig.leftDistortion = rowOf(left.distortion);
+    rig.rightDistortion = rowOf(right.distortion);
+    // Rectified rays: R1 left + t = R2 right.
+    rig.rotation = right.rectification.t() * left.rectification;
+    rig.translation = right.rectification.t() * shift;
   }
-  rig.leftMatrix = left.matrix;
-  rig.rightMatrix = right.matrix;
-  rig.leftDistortion = cv::Mat(left.distortion, true).reshape(1, 1);
-  rig.rightDistortion = cv::Mat(right.distortion, true).reshape(1, 1);
-  // Rectified rays: R1 left + t = R2 right.
-  rig.rotation = right.rectification.t() * left.rectification;
-  rig.translation = right.rectification.t() * cv::Vec3d(shift, 0, 0);
+  checkRig(where, rig);
+  constexpr double usual = 1.0;
+  if (rig.baseline() > usual) {
+    throw Error(where,
+                "the camera_info gives a baseline of " + std::to_string(rig.baseline()) + " m",
+                "P must be in metres. If the cameras are that far apart, give a calibration file "
+                "with --calibration.");
+  }
   return rig;
 }
 

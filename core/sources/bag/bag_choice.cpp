@@ -126,7 +126,7 @@ class Topics {
 
 // Of the forms in which one camera's pictures are recorded, the lowest is the best.
 int rankOf(std::string_view name) {
-  return (name.find("rect") == std::string_view::npos ? 2 : 0) +
+  return (namesRectified(name) ? 0 : 2) +
          (name.find("ompressed") == std::string_view::npos ? 0 : 1);
 }
 
@@ -197,7 +197,7 @@ std::string listOf(const BagFile& bag) {
     if (topic.name.empty() || list.size() > 2000) continue;
     list += (list.empty() ? "" : ", ") + topic.name + " (" + topic.type + ")";
   }
-  return list.empty() ? "none" : list;
+  return list.empty() ? "no topic" : list;
 }
 
 /// The topics that an option names, by its keys.
@@ -212,7 +212,7 @@ std::map<std::string, std::size_t> namedTopics(const BagFile& bag, const std::st
     const std::string name = equals == std::string::npos ? item : item.substr(equals + 1);
     const auto topic = std::ranges::find(bag.topics(), name, &BagTopic::name);
     if (topic == bag.topics().end()) {
-      throw Error(where, "it has no topic '" + name + "'", "Its topics: " + listOf(bag) + ".");
+      throw Error(where, "it has no topic '" + name + "'", "Give one of " + listOf(bag) + ".");
     }
     named[item.substr(0, std::min(equals, item.size()))] =
         static_cast<std::size_t>(topic - bag.topics().begin());
@@ -245,6 +245,17 @@ BagChoice choiceNamed(const BagFile& bag, const Topics& topics, const std::strin
 
 }  // namespace
 
+bool namesRectified(std::string_view topic) {
+  constexpr std::string_view partings = "/_-";
+  for (std::size_t begin = 0; begin < topic.size();) {
+    const std::size_t end = std::min(topic.find_first_of(partings, begin), topic.size());
+    const std::string word = lower(topic.substr(begin, end - begin));
+    if (word == "rect" || word == "rectified") return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
 std::string optionOf(const BagFile& bag, const BagChoice& choice) {
   const auto name = [&](std::size_t topic) { return bag.topics()[topic].name; };
   switch (choice.kind) {
@@ -267,8 +278,8 @@ BagChoice chooseTopics(BagFile& bag, const std::string& option, const std::strin
   const auto all = allChoices(bag, topics);
   if (all.size() == 1) return all.front();
   if (all.empty()) {
-    throw Error(where, "it holds no stereo pair, no depth and no cloud",
-                "Its topics: " + listOf(bag) + ".");
+    throw Error(where, "it holds no stereo pair, no depth and no cloud, but " + listOf(bag),
+                "Record pictures of two cameras, depth pictures or point clouds.");
   }
   std::string list;
   for (const BagChoice& choice : all) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sources/bag/bag_camera.h"
@@ -20,6 +21,10 @@ struct BagChoice {
   std::optional<BagCamera> camera;    ///< of `first`; absent where the bag has none, and of clouds
   std::optional<BagCamera> rightCamera;
 };
+
+/// Whether a topic's name says that its pictures are rectified: "rect" or "rectified" is a word of
+/// it, as in image_rect_color; not in /direct/image_raw.
+bool namesRectified(std::string_view topic);
 
 /// What to write behind the file's name to choose these topics: "left=/a,right=/b".
 std::string optionOf(const BagFile& bag, const BagChoice& choice);

@@ -73,6 +73,10 @@ Layout layoutOf(MessageReader& reader) {
 
 }  // namespace
 
+std::string cloudFrameIn(const BagTopic& topic, std::string_view bytes) {
+  return MessageReader(bytes, topic.encoding).header().frame;
+}
+
 std::optional<Cloud> decodeCloud(const BagTopic& topic, std::string_view bytes) {
   MessageReader reader(bytes, topic.encoding);
   const Layout layout = layoutOf(reader);

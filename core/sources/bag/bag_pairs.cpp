@@ -41,7 +41,7 @@ std::int64_t periodOf(const std::vector<Stamped>& list) {
 
 }  // namespace
 
-std::vector<BagPair> pairMessages(BagFile& bag, const BagChoice& choice) {
+BagPairs pairMessages(BagFile& bag, const BagChoice& choice) {
   auto lists = stampedMessages(bag, choice);
   const std::vector<Stamped>& first = lists[choice.first];
   std::vector<BagPair> pairs;
@@ -61,7 +61,9 @@ std::vector<BagPair> pairMessages(BagFile& bag, const BagChoice& choice) {
       pairs.push_back({one.stamp, one.message, std::nullopt});
     }
   }
-  return pairs;
+  const std::size_t unpaired =
+      needsPartner ? first.size() + second.size() - 2 * pairs.size() : std::size_t{0};
+  return {std::move(pairs), unpaired};
 }
 
 }  // namespace boomwatch

@@ -22,28 +22,27 @@ struct Format {
 };
 
 // ROS names Bayer patterns by their first two pixels, OpenCV by the second row's second and third.
-constexpr std::array<Format, 22> formats{{{"mono8", CV_8UC1, -1},
-                                          {"8UC1", CV_8UC1, -1},
-                                          {"bgr8", CV_8UC3, -1},
-                                          {"8UC3", CV_8UC3, -1},
-                                          {"rgb8", CV_8UC3, cv::COLOR_RGB2BGR},
-                                          {"bgra8", CV_8UC4, cv::COLOR_BGRA2BGR},
-                                          {"8UC4", CV_8UC4, cv::COLOR_BGRA2BGR},
-                                          {"rgba8", CV_8UC4, cv::COLOR_RGBA2BGR},
-                                          {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2BGR},
-                                          {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2BGR},
-                                          {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2BGR},
-                                          {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2BGR},
-                                          {"yuv422", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
-                                          {"uyvy", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
-                                          {"yuv422_yuy2", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
-                                          {"yuyv", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
-                                          {"mono16", CV_16UC1, -1},
-                                          {"16UC1", CV_16UC1, -1},
-                                          {"32FC1", CV_32FC1, -1},
-                                          {"MONO8", CV_8UC1, -1},
-                                          {"RGB8", CV_8UC3, cv::COLOR_RGB2BGR},
-                                          {"Z16", CV_16UC1, -1}}};
+constexpr Format formats[] = {
+    {"mono8", CV_8UC1, -1},
+    {"8UC1", CV_8UC1, -1},
+    {"bgr8", CV_8UC3, -1},
+    {"8UC3", CV_8UC3, -1},
+    {"rgb8", CV_8UC3, cv::COLOR_RGB2BGR},
+    {"bgra8", CV_8UC4, cv::COLOR_BGRA2BGR},
+    {"8UC4", CV_8UC4, cv::COLOR_BGRA2BGR},
+    {"rgba8", CV_8UC4, cv::COLOR_RGBA2BGR},
+    {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2BGR},
+    {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2BGR},
+    {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2BGR},
+    {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2BGR},
+    {"yuv422", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
+    {"uyvy", CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
+    {"yuv422_yuy2", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
+    {"yuyv", CV_8UC2, cv::COLOR_YUV2BGR_YUY2},
+    {"mono16", CV_16UC1, -1},
+    {"16UC1", CV_16UC1, -1},
+    {"32FC1", CV_32FC1, -1},
+};
 
 struct RawPicture {
   std::uint32_t width = 0, height = 0, step = 0;
@@ -54,7 +53,7 @@ struct RawPicture {
 
 void decodeRaw(const RawPicture& raw, BagPicture& result) {
   const auto* format = std::ranges::find(formats, raw.encoding, &Format::name);
-  if (format == formats.end()) {
+  if (format == std::end(formats)) {
     result.fault = "pictures of the encoding '" + raw.encoding + "' are not read";
     return;
   }
@@ -130,7 +129,7 @@ void decodePacked(const std::string& format, std::string_view data, BagPicture& 
 
 void decodeRos(const BagTopic& topic, std::string_view bytes, BagPicture& result) {
   MessageReader reader(bytes, topic.encoding);
-  result.stamp = reader.header();
+  result.stamp = reader.header().stamp;
   if (topic.type == "sensor_msgs/CompressedImage") {
     const std::string format = reader.text();
     const std::string_view data = reader.bytes();
@@ -150,7 +149,8 @@ void decodeRos(const BagTopic& topic, std::string_view bytes, BagPicture& result
 
 std::int64_t jsonStamp(const Json& message) {
   const Json& stamp = message.at("timestamp");
-  return stamp.at("sec").get<std::int64_t>() * 1'000'000'000 + stamp.at("nsec").get<std::int64_t>();
+  const std::int64_t nanoseconds = stamp.at("nsec").get<std::uint32_t>();
+  return std::int64_t(stamp.at("sec").get<std::uint32_t>()) * 1'000'000'000 + nanoseconds;
 }
 
 void decodeJson(const BagTopic& topic, std::string_view bytes, BagPicture& result) {
@@ -194,7 +194,7 @@ BagPicture decodePicture(const BagTopic& topic, std::string_view bytes) {
 std::int64_t stampIn(const BagTopic& topic, std::string_view bytes) {
   if (topic.encoding != BagEncoding::Json) {
     MessageReader reader(bytes, topic.encoding);
-    const std::int64_t stamp = reader.header();
+    const std::int64_t stamp = reader.header().stamp;
     return reader.failed() ? 0 : stamp;
   }
   const Json message = Json::parse(bytes, nullptr, false);

@@ -33,12 +33,15 @@ std::vector<double> secondsOf(const std::vector<BagPair>& pairs) {
 /// What the three kinds of source have in common: messages by index.
 class BagSource : public IndexedSource {
  protected:
-  BagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagChoice choice,
-            std::vector<BagPair> pairs)
-      : IndexedSource(address, pairs.size(), meanRate(secondsOf(pairs), assumedRate)),
+  BagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagPairs pairs)
+      : IndexedSource(address, pairs.pairs.size(), meanRate(secondsOf(pairs.pairs), assumedRate)),
         m_bag(std::move(bag)),
-        m_choice(std::move(choice)),
-        m_pairs(std::move(pairs)) {}
+        m_pairs(std::move(pairs.pairs)) {
+    if (!m_bag->damage().empty()) note("Of this bag " + m_bag->damage() + ".");
+    if (pairs.unpaired > 0) {
+      note(std::to_string(pairs.unpaired) + " pictures have no partner and are left out.");
+    }
+  }
 
   ReadResult read(std::size_t index) override {
     auto frame = std::make_shared<Frame>();
@@ -54,20 +57,19 @@ class BagSource : public IndexedSource {
 
   BagPicture pictureAt(const BagMessage& message) {
     const auto bytes = m_bag->read(message);
-    if (!bytes) return {0, {}, "the bag is damaged here"};
+    if (!bytes) return {0, {}, "the bag is damaged here; copy it again"};
     return decodePicture(m_bag->topics()[message.topic], *bytes);
   }
 
   std::unique_ptr<BagFile> m_bag;
-  BagChoice m_choice;
   std::vector<BagPair> m_pairs;
 };
 
 class StereoBagSource : public BagSource {
  public:
-  StereoBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagChoice choice,
-                  std::vector<BagPair> pairs, const StereoRig& rig)
-      : BagSource(address, std::move(bag), std::move(choice), std::move(pairs)),
+  StereoBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagPairs pairs,
+                  const StereoRig& rig)
+      : BagSource(address, std::move(bag), std::move(pairs)),
         m_rig(std::make_shared<StereoRig>(rig)) {}
 
  protected:
@@ -76,7 +78,7 @@ class StereoBagSource : public BagSource {
     if (!left.fault.empty()) return left.fault;
     if (!right.fault.empty()) return right.fault;
     if (left.image.depth() != CV_8U || right.image.depth() != CV_8U) {
-      return "a picture has 16 bits, and the stereo matching takes 8";
+      return "a picture has 16 bits; choose topics of 8-bit pictures";
     }
     const cv::Size calibrated = m_rig->imageSize;
     for (const cv::Mat& image : {left.image, right.image}) {
@@ -97,9 +99,9 @@ class StereoBagSource : public BagSource {
 
 class DepthBagSource : public BagSource {
  public:
-  DepthBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagChoice choice,
-                 std::vector<BagPair> pairs, DepthCalibration calibration, cv::Size size)
-      : BagSource(address, std::move(bag), std::move(choice), std::move(pairs)),
+  DepthBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagPairs pairs,
+                 DepthCalibration calibration, cv::Size size)
+      : BagSource(address, std::move(bag), std::move(pairs)),
         m_calibration(calibration),
         m_size(size) {}
 
@@ -108,7 +110,7 @@ class DepthBagSource : public BagSource {
     const BagPicture depth = pictureAt(pair.first);
     if (!depth.fault.empty()) return depth.fault;
     if (depth.image.type() != CV_16UC1 && depth.image.type() != CV_32FC1) {
-      return "the picture holds no depth";
+      return "the picture holds no depth; choose another topic";
     }
     if (!m_size.empty() && depth.image.size() != m_size) {
       return "the depth is " + sizeText(depth.image.size()) + ", but its camera_info is for " +
@@ -132,15 +134,23 @@ class DepthBagSource : public BagSource {
 
 class CloudBagSource : public BagSource {
  public:
-  using BagSource::BagSource;
-  CloudBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagChoice choice,
-                 std::vector<BagPair> pairs)
-      : BagSource(address, std::move(bag), std::move(choice), std::move(pairs)) {}
+  CloudBagSource(const std::string& address, std::unique_ptr<BagFile> bag, BagPairs pairs)
+      : BagSource(address, std::move(bag), std::move(pairs)) {
+    const BagMessage& first = m_pairs.front().first;
+    const auto bytes = m_bag->read(first);
+    const std::string frame = bytes ? cloudFrameIn(m_bag->topics()[first.topic], *bytes) : "";
+    // ROS calls frames of a camera's own axes so.
+    if (frame.find("optical") != std::string::npos) return;
+    note(
+        "The points are in the frame '" + frame +
+        "'. They are taken as x right, y down, z forward of the camera. Record them in its optical "
+        "frame if they are not.");
+  }
 
  protected:
   std::string fill(const BagPair& pair, Frame& frame) override {
     const auto bytes = m_bag->read(pair.first);
-    if (!bytes) return "the bag is damaged here";
+    if (!bytes) return "the bag is damaged here; copy it again";
     auto cloud = decodeCloud(m_bag->topics()[pair.first.topic], *bytes);
     if (!cloud) return "the cloud is damaged, or has no fields x, y and z";
     if (cloud->organised()) {
@@ -157,16 +167,12 @@ class CloudBagSource : public BagSource {
   std::optional<PinholeCamera> m_camera;
 };
 
-// Whether a topic holds pictures as they look after rectification.
-bool isRectified(const BagFile& bag, std::size_t topic) {
-  return bag.topics()[topic].name.find("rect") != std::string::npos;
-}
-
 StereoRig rigOf(const BagFile& bag, const BagChoice& choice, const std::string& where,
                 const SourceOptions& options) {
   if (!options.calibration.empty()) return readCalibration(options.calibration);
   if (choice.camera && choice.rightCamera) {
-    return rigOf(where, *choice.camera, *choice.rightCamera, isRectified(bag, choice.first));
+    return rigOf(where, *choice.camera, *choice.rightCamera,
+                 namesRectified(bag.topics()[choice.first].name));
   }
   throw Error(where, "it has no camera_info for this pair", "Give a file with --calibration.");
 }
@@ -188,12 +194,12 @@ std::optional<double> realSenseUnit(BagFile& bag) {
 DepthCalibration depthCalibrationOf(BagFile& bag, const BagChoice& choice, const std::string& where,
                                     const SourceOptions& options) {
   if (!options.calibration.empty()) return readDepthCalibration(options.calibration);
-  if (!choice.camera || choice.camera->matrix(0, 0) <= 0) {
-    throw Error(where, "it has no camera_info for " + bag.topics()[choice.first].name,
+  if (!choice.camera || !(choice.camera->matrix(0, 0) > 0) || !(choice.camera->matrix(1, 1) > 0)) {
+    throw Error(where, "it has no usable camera_info for " + bag.topics()[choice.first].name,
                 "Give the depth camera's intrinsics with --calibration.");
   }
   DepthCalibration calibration;
-  calibration.camera = pinholeOf(*choice.camera, isRectified(bag, choice.first));
+  calibration.camera = pinholeOf(*choice.camera, namesRectified(bag.topics()[choice.first].name));
   calibration.camera.width = calibration.camera.height = 0;
   if (const auto unit = realSenseUnit(bag)) calibration.unitsPerMetre = 1.0 / *unit;
   return calibration;
@@ -206,30 +212,28 @@ std::unique_ptr<FrameSource> openBagSource(const std::string& path, const std::s
   if (path.empty()) throw Error(address, "no path is given", "Give bag:FILE.");
   const auto [file, option] = splitBagPath(path);
   auto bag = openBagPath(file);
-  BagChoice choice = chooseTopics(*bag, option, file.string());
-  std::vector<BagPair> pairs = pairMessages(*bag, choice);
-  if (pairs.empty()) {
+  const BagChoice choice = chooseTopics(*bag, option, file.string());
+  BagPairs pairs = pairMessages(*bag, choice);
+  if (pairs.pairs.empty()) {
     throw Error(file.string(), "no left and right picture belong together by their stamps",
                 "Choose other topics.");
   }
   switch (choice.kind) {
     case BagKind::Stereo: {
       const StereoRig rig = rigOf(*bag, choice, file.string(), options);
-      return std::make_unique<StereoBagSource>(address, std::move(bag), std::move(choice),
-                                               std::move(pairs), rig);
+      return std::make_unique<StereoBagSource>(address, std::move(bag), std::move(pairs), rig);
     }
     case BagKind::Depth: {
       const auto calibration = depthCalibrationOf(*bag, choice, file.string(), options);
       const bool own = options.calibration.empty();
       const cv::Size size = own ? choice.camera->size : cv::Size();
-      return std::make_unique<DepthBagSource>(address, std::move(bag), std::move(choice),
-                                              std::move(pairs), calibration, size);
+      return std::make_unique<DepthBagSource>(address, std::move(bag), std::move(pairs),
+                                              calibration, size);
     }
     case BagKind::Cloud:
       break;
   }
-  return std::make_unique<CloudBagSource>(address, std::move(bag), std::move(choice),
-                                          std::move(pairs));
+  return std::make_unique<CloudBagSource>(address, std::move(bag), std::move(pairs));
 }
 
 }  // namespace boomwatch

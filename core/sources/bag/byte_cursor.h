@@ -36,6 +36,7 @@ class ByteCursor {
   bool failed() const { return m_failed; }
   bool atEnd() const { return m_failed || m_position == m_bytes.size(); }
   std::size_t position() const { return m_position; }
+  std::size_t remaining() const { return m_failed ? 0 : m_bytes.size() - m_position; }
 
  private:
   std::string_view m_bytes;

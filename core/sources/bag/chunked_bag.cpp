@@ -36,16 +36,57 @@ const std::string* ChunkedBag::chunkAt(std::uint64_t place) {
   } else {
     if (m_recent.size() >= chunksKept) m_recent.pop_back();
     m_recent.emplace_front(place, readChunk(place));
+    if (!m_recent.front().second) m_damaged.insert(place);
   }
   const auto& chunk = m_recent.front().second;
   return chunk ? &*chunk : nullptr;
 }
 
-void ChunkedBag::finish(std::uint64_t damagedChunks, bool isCut) {
+void ChunkedBag::beginChunk(std::uint64_t place) {
+  endChunk();
+  m_chunks.push_back(place);
+  m_isIndexed = false;
+}
+
+std::optional<std::uint64_t> ChunkedBag::indexedChunk() {
+  if (m_chunks.empty()) return std::nullopt;
+  m_isIndexed = true;
+  return m_chunks.back();
+}
+
+void ChunkedBag::endChunk() {
+  if (!m_isIndexed) walkChunk(m_chunks.back(), true);
+  m_isIndexed = true;
+}
+
+std::size_t ChunkedBag::topicOf(std::uint32_t id) {
+  const auto [found, isNew] = m_topicOf.try_emplace(id, m_topics.size());
+  if (isNew) m_topics.emplace_back();
+  return found->second;
+}
+
+void ChunkedBag::addMessage(const BagMessage& message) {
+  if (message.time >= 0) m_messages.push_back(message);
+}
+
+void ChunkedBag::finish(bool isCut) {
+  endChunk();
+  if (isCut && !m_chunks.empty()) {  // a part of the last chunk's index may be missing
+    const std::uint64_t last = m_chunks.back();
+    std::erase_if(m_messages, [&](const BagMessage& message) { return message.place == last; });
+    walkChunk(last, true);
+  }
+  const auto isNameless = [](const BagTopic& topic) { return topic.name.empty(); };
+  // A file that was not closed has the names in its chunks alone.
+  if (std::ranges::any_of(m_topics, isNameless)) {
+    for (const std::uint64_t chunk : m_chunks) walkChunk(chunk, false);
+  }
+  std::erase_if(m_messages, [&](const BagMessage& m) { return isNameless(m_topics[m.topic]); });
   std::ranges::stable_sort(m_messages, {}, &BagMessage::time);
-  if (damagedChunks > 0) m_damage = std::to_string(damagedChunks) + " damaged chunks are left out";
-  if (isCut)
-    m_damage += std::string(m_damage.empty() ? "" : ", and ") + "the file is cut at its end";
+  if (!m_damaged.empty()) {
+    m_damage = std::to_string(m_damaged.size()) + " damaged chunks are left out";
+  }
+  if (isCut) m_damage += (m_damage.empty() ? "" : ", and ") + std::string("its end is missing");
 }
 
 }  // namespace boomwatch

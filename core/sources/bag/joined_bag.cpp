@@ -43,7 +43,7 @@ class JoinedBag : public BagFile {
       message.offset |= static_cast<std::uint64_t>(part) << partShift;
       m_messages.push_back(message);
     }
-    if (!bag.damage().empty()) m_damage = bag.damage();
+    if (!bag.damage().empty()) m_damage += (m_damage.empty() ? "" : ", ") + bag.damage();
   }
 
   std::vector<std::unique_ptr<BagFile>> m_parts;

@@ -1,7 +1,6 @@
 #include "sources/bag/mcap_bag.h"
 
 #include <map>
-#include <set>
 #include <string_view>
 
 #include "base/error.h"
@@ -28,18 +27,13 @@ BagEncoding encodingOf(std::string_view message) {
 class McapBag : public ChunkedBag {
  public:
   explicit McapBag(const std::filesystem::path& file) : ChunkedBag(file) {
-    walkFile();
-    if (!m_unknown.empty()) {
-      for (const std::uint64_t chunk : m_chunks) walkChunk(chunk, false);
-    }
+    const bool isCut = walkFile();
+    finish(isCut);
     for (const auto& [topic, schema] : m_schemaOf) {
       if (const auto name = m_schemas.find(schema); name != m_schemas.end()) {
         m_topics[topic].type = withoutMsg(name->second);
       }
     }
-    std::erase_if(m_messages,
-                  [this](const BagMessage& m) { return m_topics[m.topic].name.empty(); });
-    finish(m_damaged.size(), m_isCut);
   }
 
   std::optional<std::string> read(const BagMessage& message) override {
@@ -65,39 +59,28 @@ class McapBag : public ChunkedBag {
   }
 
  private:
-  void walkFile() {
-    std::uint64_t place = signature;
-    bool indexed = true;
-    const auto walkLast = [&] {
-      if (!indexed) walkChunk(m_chunks.back(), true);
-    };
-    m_isCut = true;  // until the footer is found
-    while (true) {
-      const auto head = bytesAt(place, recordHead);
-      if (!head) break;
+  // True when the file is cut: it has no footer.
+  bool walkFile() {
+    for (std::uint64_t place = signature; const auto head = bytesAt(place, recordHead);) {
       ByteCursor cursor(*head);
       const auto op = cursor.number<std::uint8_t>();
       const auto size = cursor.number<std::uint64_t>();
       const std::uint64_t data = place + recordHead;
-      if (size > fileSize() - data) break;
+      if (size > fileSize() - data) return true;
       if (op == Index) {
-        indexed = takeIndex(bytesAt(data, size)) || indexed;
+        takeIndex(bytesAt(data, size));
+      } else if (op == Chunk) {
+        beginChunk(place);
       } else {
-        walkLast();
-        indexed = true;
+        endChunk();
       }
-      if (op == Chunk) {
-        m_chunks.push_back(place);
-        indexed = false;
-      } else if (op == Schema || op == Channel || op == Message) {
+      if (op == Footer) return false;
+      if (op == Schema || op == Channel || op == Message) {
         if (const auto bytes = bytesAt(data, size)) takeRecord(op, *bytes, 0, place, true);
-      } else if (op == Footer) {
-        m_isCut = false;
-        break;
       }
       place = data + size;
     }
-    walkLast();
+    return true;
   }
 
   void takeRecord(std::uint8_t op, std::string_view bytes, std::uint64_t chunk,
@@ -109,7 +92,7 @@ class McapBag : public ChunkedBag {
     if (op != Message || !withMessages) return;
     cursor.number<std::uint32_t>();
     const auto time = static_cast<std::int64_t>(cursor.number<std::uint64_t>());
-    if (!cursor.failed()) m_messages.push_back({topicOf(id), time, chunk, offset});
+    if (!cursor.failed()) addMessage({topicOf(id), time, chunk, offset});
   }
 
   void takeChannel(std::uint16_t id, ByteCursor& cursor) {
@@ -117,32 +100,22 @@ class McapBag : public ChunkedBag {
     m_schemaOf[topic] = cursor.number<std::uint16_t>();
     m_topics[topic].name = cursor.counted();
     m_topics[topic].encoding = encodingOf(cursor.counted());
-    if (!m_topics[topic].name.empty()) m_unknown.erase(topic);
-  }
-
-  std::size_t topicOf(std::uint16_t channel) {
-    const auto [found, isNew] = m_channels.try_emplace(channel, m_topics.size());
-    if (isNew) {
-      m_topics.emplace_back();
-      m_unknown.insert(found->second);
-    }
-    return found->second;
   }
 
   // The times and offsets of one channel's messages in the chunk before it.
-  bool takeIndex(const std::optional<std::string>& bytes) {
-    if (!bytes || m_chunks.empty()) return false;
+  void takeIndex(const std::optional<std::string>& bytes) {
+    const auto chunk = bytes ? indexedChunk() : std::nullopt;
+    if (!chunk) return;
     ByteCursor cursor(*bytes);
     const std::size_t topic = topicOf(cursor.number<std::uint16_t>());
     for (ByteCursor entries(cursor.counted()); !entries.atEnd();) {
       const auto time = static_cast<std::int64_t>(entries.number<std::uint64_t>());
       const auto offset = entries.number<std::uint64_t>();
-      if (!entries.failed()) m_messages.push_back({topic, time, m_chunks.back(), offset});
+      if (!entries.failed()) addMessage({topic, time, *chunk, offset});
     }
-    return true;
   }
 
-  void walkChunk(std::uint64_t place, bool withMessages) {
+  void walkChunk(std::uint64_t place, bool withMessages) override {
     const std::string* chunk = chunkAt(place);
     if (!chunk) return;
     for (ByteCursor cursor(*chunk); !cursor.atEnd();) {
@@ -154,12 +127,6 @@ class McapBag : public ChunkedBag {
   }
 
   std::optional<std::string> readChunk(std::uint64_t place) override {
-    auto chunk = unpack(place);
-    if (!chunk) m_damaged.insert(place);
-    return chunk;
-  }
-
-  std::optional<std::string> unpack(std::uint64_t place) {
     const auto head = bytesAt(place, recordHead);
     if (!head) return std::nullopt;
     ByteCursor length(std::string_view(*head).substr(1));
@@ -175,13 +142,8 @@ class McapBag : public ChunkedBag {
     return decompress(method, packed, static_cast<std::size_t>(size));
   }
 
-  std::map<std::uint16_t, std::size_t> m_channels;  // to topics
   std::map<std::size_t, std::uint16_t> m_schemaOf;  // of a topic
   std::map<std::uint16_t, std::string> m_schemas;
-  std::set<std::size_t> m_unknown;  // topics of which no name was found so far
-  std::vector<std::uint64_t> m_chunks;
-  std::set<std::uint64_t> m_damaged;
-  bool m_isCut = false;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "sources/bag/ros1_bag.h"
 
 #include <map>
-#include <set>
 #include <string_view>
 
 #include "base/error.h"
@@ -13,14 +12,7 @@ namespace boomwatch {
 namespace {
 
 // Kinds of records, by the field "op" of their header.
-enum Op : std::uint8_t {
-  Message = 2,
-  Header = 3,
-  Index = 4,
-  Chunk = 5,
-  ChunkInfo = 6,
-  Connection = 7
-};
+enum Op : std::uint8_t { Message = 2, Index = 4, Chunk = 5, Connection = 7 };
 
 using Fields = std::map<std::string, std::string, std::less<>>;
 
@@ -55,16 +47,7 @@ std::int64_t timeFrom(ByteCursor& cursor) {
 
 class Ros1Bag : public ChunkedBag {
  public:
-  explicit Ros1Bag(const std::filesystem::path& file) : ChunkedBag(file) {
-    walkFile();
-    // A bag that was not closed has its connections in the chunks alone.
-    if (!m_unknown.empty()) {
-      for (const std::uint64_t chunk : m_chunks) walkChunk(chunk, false);
-    }
-    std::erase_if(m_messages,
-                  [this](const BagMessage& m) { return m_topics[m.topic].name.empty(); });
-    finish(m_damaged.size(), m_isCut);
-  }
+  explicit Ros1Bag(const std::filesystem::path& file) : ChunkedBag(file) { finish(walkFile()); }
 
   std::optional<std::string> read(const BagMessage& message) override {
     if (message.place == 0) {  // outside all chunks
@@ -100,77 +83,55 @@ class Ros1Bag : public ChunkedBag {
     return record;
   }
 
-  void walkFile() {
+  // True when the file is cut.
+  bool walkFile() {
     constexpr std::uint64_t signature = 13;
-    std::uint64_t place = signature;
-    bool indexed = true;
-    const auto walkLast = [&] {
-      if (!indexed) walkChunk(m_chunks.back(), true);
-    };
-    while (place < fileSize()) {
+    for (std::uint64_t place = signature; place < fileSize();) {
       const auto record = recordAt(place);
-      if (!record || record->data + record->size > fileSize()) {
-        m_isCut = true;
-        break;
-      }
+      if (!record || record->data + record->size > fileSize()) return true;
       const auto op = numberIn<std::uint8_t>(record->header, "op");
       if (op == Index) {
-        indexed = takeIndex(*record) || indexed;
+        takeIndex(*record);
+      } else if (op == Chunk) {
+        beginChunk(place);
       } else {
-        walkLast();
-        indexed = true;
-      }
-      if (op == Chunk) {
-        m_chunks.push_back(place);
-        indexed = false;
+        endChunk();
       }
       if (op == Connection) takeConnection(record->header, bytesAt(record->data, record->size));
       // A bag that was not closed ends with messages of a chunk that has no size yet.
       if (op == Message) takeMessage(record->header, 0, place);
       place = record->data + record->size;
     }
-    walkLast();
-  }
-
-  std::size_t topicOf(std::uint32_t connection) {
-    const auto [found, isNew] = m_connections.try_emplace(connection, m_topics.size());
-    if (isNew) {
-      m_topics.push_back({{}, {}, BagEncoding::Ros1});
-      m_unknown.insert(found->second);
-    }
-    return found->second;
+    return false;
   }
 
   void takeConnection(const Fields& header, const std::optional<std::string>& data) {
     if (!data) return;
     BagTopic& topic = m_topics[topicOf(numberIn<std::uint32_t>(header, "conn"))];
-    topic.name = textIn(header, "topic");
-    topic.type = textIn(fieldsOf(*data), "type");
-    if (!topic.name.empty()) m_unknown.erase(static_cast<std::size_t>(&topic - m_topics.data()));
+    topic = {textIn(header, "topic"), textIn(fieldsOf(*data), "type"), BagEncoding::Ros1};
   }
 
   void takeMessage(const Fields& header, std::uint64_t chunk, std::uint64_t offset) {
     const std::string bytes = textIn(header, "time");
     ByteCursor time(bytes);
     const std::size_t topic = topicOf(numberIn<std::uint32_t>(header, "conn"));
-    m_messages.push_back({topic, timeFrom(time), chunk, offset});
+    addMessage({topic, timeFrom(time), chunk, offset});
   }
 
   // The times and offsets of one connection's messages in the chunk before it.
-  bool takeIndex(const Record& record) {
+  void takeIndex(const Record& record) {
     const auto data = bytesAt(record.data, record.size);
-    if (!data || m_chunks.empty()) return false;
+    const auto chunk = data ? indexedChunk() : std::nullopt;
+    if (!chunk) return;
     const std::size_t topic = topicOf(numberIn<std::uint32_t>(record.header, "conn"));
     for (ByteCursor cursor(*data); !cursor.atEnd();) {
       const std::int64_t time = timeFrom(cursor);
       const auto offset = cursor.number<std::uint32_t>();
-      if (!cursor.failed()) m_messages.push_back({topic, time, m_chunks.back(), offset});
+      if (!cursor.failed()) addMessage({topic, time, *chunk, offset});
     }
-    return true;
   }
 
-  // What a chunk tells of itself: its connections, and its messages where no index did.
-  void walkChunk(std::uint64_t place, bool withMessages) {
+  void walkChunk(std::uint64_t place, bool withMessages) override {
     const std::string* chunk = chunkAt(place);
     if (!chunk) return;
     for (ByteCursor cursor(*chunk); !cursor.atEnd();) {
@@ -187,18 +148,10 @@ class Ros1Bag : public ChunkedBag {
   std::optional<std::string> readChunk(std::uint64_t place) override {
     const auto record = recordAt(place);
     const auto packed = record ? bytesAt(record->data, record->size) : std::nullopt;
-    auto chunk = packed ? decompress(textIn(record->header, "compression"), *packed,
-                                     numberIn<std::uint32_t>(record->header, "size"))
-                        : std::nullopt;
-    if (!chunk) m_damaged.insert(place);
-    return chunk;
+    if (!packed) return std::nullopt;
+    return decompress(textIn(record->header, "compression"), *packed,
+                      numberIn<std::uint32_t>(record->header, "size"));
   }
-
-  std::map<std::uint32_t, std::size_t> m_connections;  // to topics
-  std::set<std::size_t> m_unknown;                     // topics of which no name was found so far
-  std::vector<std::uint64_t> m_chunks;
-  std::set<std::uint64_t> m_damaged;
-  bool m_isCut = false;
 };
 
 }  // namespace

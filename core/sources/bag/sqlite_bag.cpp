@@ -96,8 +96,9 @@ class SqliteBag : public BagFile {
     int result = SQLITE_DONE;
     while (rows && (result = sqlite3_step(rows.get())) == SQLITE_ROW) {
       const auto topic = m_index.find(sqlite3_column_int64(rows.get(), 1));
-      if (topic == m_index.end()) continue;
-      m_messages.push_back({topic->second, sqlite3_column_int64(rows.get(), 2),
+      const std::int64_t time = sqlite3_column_int64(rows.get(), 2);
+      if (topic == m_index.end() || time < 0) continue;
+      m_messages.push_back({topic->second, time,
                             static_cast<std::uint64_t>(sqlite3_column_int64(rows.get(), 0)), 0});
     }
     if (result != SQLITE_DONE)
